@@ -1,0 +1,206 @@
+package org.jbox2d.fracture.geometry;
+
+/**
+ * Finds the first reason why an outline is not a simple polygon with separate holes. Exact: an
+ * outline passes if and only if no two edges share a point but the common end of neighbours, every
+ * ring has area, and all holes are inside the outer ring and outside each other. Orientation and
+ * collinear vertices do not matter.
+ *
+ * <p>Cost: O(n log n) for outlines whose edges are short beside their extent, O(n^2) at worst.
+ */
+public final class OutlineCheck {
+  private final Outline outline;
+  private OutlineDefect defect = OutlineDefect.NONE;
+  private int vertex = -1;
+  private int other = -1;
+
+  private OutlineCheck(Outline outline) {
+    this.outline = outline;
+  }
+
+  /** Checks an outline. */
+  public static OutlineCheck of(Outline outline) {
+    OutlineCheck check = new OutlineCheck(outline);
+    check.compute();
+    return check;
+  }
+
+  /** What is wrong, or {@link OutlineDefect#NONE}. */
+  public OutlineDefect defect() {
+    return defect;
+  }
+
+  /** The vertex the defect is at, or -1. */
+  public int vertex() {
+    return vertex;
+  }
+
+  /** The other vertex concerned, or -1. */
+  public int otherVertex() {
+    return other;
+  }
+
+  /** A sentence that names the vertex and what is wrong with it. */
+  public String message() {
+    if (defect == OutlineDefect.NONE) {
+      return "outline is valid";
+    }
+    String where =
+        vertex < 0 || vertex >= outline.vertexCount()
+            ? "vertex " + vertex
+            : "vertex " + vertex + " (" + outline.x(vertex) + ", " + outline.y(vertex) + ")";
+    return where + " " + defect.text() + (other < 0 ? "" : " " + other);
+  }
+
+  private void compute() {
+    if (finite() && ringsLargeEnough() && edgesHaveLength() && edgesApart() && ringsHaveArea()) {
+      holesPlaced();
+    }
+  }
+
+  private boolean fail(OutlineDefect reason, int i, int j) {
+    defect = reason;
+    vertex = i;
+    other = j;
+    return false;
+  }
+
+  private boolean finite() {
+    for (int i = 0; i < outline.vertexCount(); i++) {
+      double sum = outline.x(i) * 0 + outline.y(i) * 0;
+      if (sum != 0) {
+        return fail(OutlineDefect.NOT_FINITE, i, -1);
+      }
+    }
+    return true;
+  }
+
+  private boolean ringsLargeEnough() {
+    for (int r = 0; r < outline.ringCount(); r++) {
+      if (outline.ringEnd(r) - outline.ringStart(r) < 3) {
+        return fail(OutlineDefect.TOO_FEW_VERTICES, outline.ringStart(r), -1);
+      }
+    }
+    return true;
+  }
+
+  private boolean edgesHaveLength() {
+    for (int r = 0; r < outline.ringCount(); r++) {
+      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
+        int j = next(i, r);
+        if (outline.x(i) == outline.x(j) && outline.y(i) == outline.y(j)) {
+          return fail(OutlineDefect.REPEATED_VERTEX, i, j);
+        }
+      }
+    }
+    return true;
+  }
+
+  private boolean ringsHaveArea() {
+    for (int r = 0; r < outline.ringCount(); r++) {
+      if (outline.ringArea(r) == 0) {
+        return fail(OutlineDefect.ZERO_AREA, outline.ringStart(r), -1);
+      }
+    }
+    return true;
+  }
+
+  private int next(int i, int ring) {
+    return i + 1 < outline.ringEnd(ring) ? i + 1 : outline.ringStart(ring);
+  }
+
+  /**
+   * Compares each edge with those that begin left of its right end, in the order of their left
+   * ends.
+   */
+  private boolean edgesApart() {
+    int n = outline.vertexCount();
+    int[] ring = new int[n];
+    int[] head = new int[n];
+    double[] left = new double[n];
+    double[] right = new double[n];
+    for (int r = 0; r < outline.ringCount(); r++) {
+      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
+        int j = next(i, r);
+        ring[i] = r;
+        head[i] = j;
+        left[i] = Math.min(outline.x(i), outline.x(j));
+        right[i] = Math.max(outline.x(i), outline.x(j));
+      }
+    }
+    int[] order = SortedIndices.by(left, n);
+    for (int k = 0; k < n; k++) {
+      int e = order[k];
+      for (int l = k + 1; l < n && left[order[l]] <= right[e]; l++) {
+        int f = order[l];
+        if (meet(e, head[e], f, head[f])) {
+          return failMeeting(e, f, ring[e] == ring[f], head);
+        }
+      }
+    }
+    return true;
+  }
+
+  private boolean failMeeting(int e, int f, boolean sameRing, int[] head) {
+    int low = Math.min(e, f);
+    int high = Math.max(e, f);
+    if (outline.x(e) == outline.x(f) && outline.y(e) == outline.y(f)) {
+      return fail(sameRing ? OutlineDefect.REPEATED_VERTEX : OutlineDefect.RINGS_MEET, low, high);
+    }
+    int tipE = head[e];
+    int tipF = head[f];
+    if (sameRing
+        && tipE != tipF
+        && outline.x(tipE) == outline.x(tipF)
+        && outline.y(tipE) == outline.y(tipF)) {
+      return fail(OutlineDefect.REPEATED_VERTEX, Math.min(tipE, tipF), Math.max(tipE, tipF));
+    }
+    return fail(sameRing ? OutlineDefect.SELF_INTERSECTION : OutlineDefect.RINGS_MEET, low, high);
+  }
+
+  /** Whether edges a-b and c-d share a point that is not their common end vertex. */
+  private boolean meet(int a, int b, int c, int d) {
+    double[] xy = outline.coordinates();
+    if (Math.max(xy[2 * a + 1], xy[2 * b + 1]) < Math.min(xy[2 * c + 1], xy[2 * d + 1])
+        || Math.max(xy[2 * c + 1], xy[2 * d + 1]) < Math.min(xy[2 * a + 1], xy[2 * b + 1])) {
+      return false;
+    }
+    if (b == c) {
+      return foldsBack(xy, a, b, d);
+    }
+    if (d == a) {
+      return foldsBack(xy, c, a, b);
+    }
+    return Segments.touch(xy, a, b, c, d);
+  }
+
+  private static boolean foldsBack(double[] xy, int a, int b, int c) {
+    if (Predicates.orientation(xy, a, b, c) != 0) {
+      return false;
+    }
+    double dot =
+        (xy[2 * b] - xy[2 * a]) * (xy[2 * c] - xy[2 * b])
+            + (xy[2 * b + 1] - xy[2 * a + 1]) * (xy[2 * c + 1] - xy[2 * b + 1]);
+    return dot < 0;
+  }
+
+  private void holesPlaced() {
+    double[] xy = outline.coordinates();
+    for (int r = 1; r < outline.ringCount(); r++) {
+      int i = outline.ringStart(r);
+      if (Rings.locate(xy, 0, outline.ringEnd(0), outline.x(i), outline.y(i)) < 0) {
+        fail(OutlineDefect.HOLE_OUTSIDE, i, -1);
+        return;
+      }
+      for (int s = 1; s < outline.ringCount(); s++) {
+        if (s != r
+            && Rings.locate(
+                    xy, outline.ringStart(s), outline.ringEnd(s), outline.x(i), outline.y(i))
+                > 0) {
+          fail(OutlineDefect.HOLE_IN_HOLE, i, outline.ringStart(s));
+          return;
+        }
+      }
+    }
+  }
+}
