@@ -1,0 +1,244 @@
+package org.jbox2d.collision.broadphase;
+
+import java.util.Arrays;
+import org.jbox2d.callbacks.TreeCallback;
+import org.jbox2d.callbacks.TreeRayCastCallback;
+import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.RayCastInput;
+import org.jbox2d.common.Settings;
+import org.jbox2d.common.Vec2;
+
+/**
+ * The engine's index of proxies: a binary tree of boxes over flat arrays, built and kept by the
+ * surface area heuristic.
+ *
+ * <p>A proxy's enlarged box is its tight box grown by {@link Settings#aabbExtension} (metres) on
+ * all sides and stretched along its motion by {@link Settings#aabbMultiplier} displacements. Only a
+ * proxy that leaves its enlarged box, or whose enlarged box has become much too large, is inserted
+ * anew. Ids of proxies are indices of nodes.
+ *
+ * <p>Not safe for use by several threads at once. Callbacks may search the tree, but not change it.
+ */
+public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseStrategy {
+  /** The id that no node has. */
+  public static final int NULL_NODE = NULL;
+
+  /** Kept for source compatibility: the tree's stack grows as needed. */
+  public static final int MAX_STACK_SIZE = 64;
+
+  /** Kept for source compatibility. */
+  public static final int INITIAL_BUFFER_LENGTH = 16;
+
+  /**
+   * How many times the size that an enlarged box would get now it may have before it is shrunk
+   * though it still contains the proxy: above 1, or a body slowing down would be inserted anew in
+   * each step; not much above, or a body that came to rest after a fast flight would collect pairs
+   * all along its way.
+   */
+  private static final float OVERSIZE = 2;
+
+  /**
+   * The boxes last handed out by {@link #getFatAABB}, indexed by proxy; empty until that is first
+   * asked. The tree itself works on a float array and neither reads nor updates these.
+   */
+  public AABB[] m_aabb = {};
+
+  /** An empty tree. */
+  public DynamicTreeFlatNodes() {}
+
+  @Override
+  public final int createProxy(AABB aabb, Object userData) {
+    checkBox(aabb);
+    int proxyId = allocate();
+    m_userData[proxyId] = userData;
+    setEnlarged(proxyId, aabb, 0, 0);
+    insertLeaf(proxyId);
+    return proxyId;
+  }
+
+  @Override
+  public final void destroyProxy(int proxyId) {
+    checkProxy(proxyId);
+    removeLeaf(proxyId);
+    release(proxyId);
+  }
+
+  @Override
+  public final boolean moveProxy(int proxyId, AABB aabb, Vec2 displacement) {
+    checkProxy(proxyId);
+    if (fits(proxyId, aabb, displacement)) {
+      return false;
+    }
+    checkBox(aabb);
+    float predictedX = Settings.aabbMultiplier * displacement.x;
+    float predictedY = Settings.aabbMultiplier * displacement.y;
+    if (!isFinite(predictedX) || !isFinite(predictedY)) {
+      throw new IllegalArgumentException("displacement must be finite: " + displacement);
+    }
+    removeLeaf(proxyId);
+    setEnlarged(proxyId, aabb, predictedX, predictedY);
+    insertLeaf(proxyId);
+    return true;
+  }
+
+  /**
+   * Whether the enlarged box still holds the tight one and is not much larger than a new one would
+   * be; false for NaN.
+   */
+  private boolean fits(int proxyId, AABB aabb, Vec2 displacement) {
+    Vec2 lower = aabb.lowerBound;
+    Vec2 upper = aabb.upperBound;
+    float[] box = bounds;
+    int i = 4 * proxyId;
+    boolean inside =
+        box[i] <= lower.x
+            && box[i + 1] <= lower.y
+            && upper.x <= box[i + 2]
+            && upper.y <= box[i + 3]
+            && lower.x <= upper.x
+            && lower.y <= upper.y;
+    if (!inside) {
+      return false;
+    }
+    float tightSize = (upper.x - lower.x) + (upper.y - lower.y);
+    float stretch = Math.abs(displacement.x) + Math.abs(displacement.y);
+    float newSize = tightSize + 4 * Settings.aabbExtension + Settings.aabbMultiplier * stretch;
+    return size(proxyId) <= OVERSIZE * newSize;
+  }
+
+  private void setEnlarged(int proxyId, AABB aabb, float predictedX, float predictedY) {
+    float margin = Settings.aabbExtension;
+    float minX = aabb.lowerBound.x - margin + Math.min(predictedX, 0);
+    float minY = aabb.lowerBound.y - margin + Math.min(predictedY, 0);
+    float maxX = aabb.upperBound.x + margin + Math.max(predictedX, 0);
+    float maxY = aabb.upperBound.y + margin + Math.max(predictedY, 0);
+    setBounds(
+        proxyId,
+        Math.max(minX, -Float.MAX_VALUE),
+        Math.max(minY, -Float.MAX_VALUE),
+        Math.min(maxX, Float.MAX_VALUE),
+        Math.min(maxY, Float.MAX_VALUE));
+  }
+
+  private void checkProxy(int proxyId) {
+    boolean isProxy = proxyId >= 0 && proxyId < capacity() && !isFree(proxyId) && isLeaf(proxyId);
+    if (!isProxy) {
+      throw new IllegalArgumentException("no proxy has the id " + proxyId);
+    }
+  }
+
+  private static void checkBox(AABB aabb) {
+    Vec2 lower = aabb.lowerBound;
+    Vec2 upper = aabb.upperBound;
+    boolean ordered = lower.x <= upper.x && lower.y <= upper.y;
+    if (!ordered
+        || !isFinite(lower.x)
+        || !isFinite(lower.y)
+        || !isFinite(upper.x)
+        || !isFinite(upper.y)) {
+      throw new IllegalArgumentException(
+          "box must be finite, its lower bound not above its upper: " + lower + ", " + upper);
+    }
+  }
+
+  private static boolean isFinite(float value) {
+    return Math.abs(value) <= Float.MAX_VALUE;
+  }
+
+  @Override
+  public final Object getUserData(int proxyId) {
+    checkProxy(proxyId);
+    return m_userData[proxyId];
+  }
+
+  @Override
+  public final AABB getFatAABB(int proxyId) {
+    checkProxy(proxyId);
+    return box(proxyId);
+  }
+
+  /** The box of any node, written into that node's entry of {@link #m_aabb}. */
+  private AABB box(int node) {
+    int held = m_aabb.length;
+    if (held < capacity()) {
+      m_aabb = Arrays.copyOf(m_aabb, capacity());
+      for (int i = held; i < m_aabb.length; i++) {
+        m_aabb[i] = new AABB();
+      }
+    }
+    AABB aabb = m_aabb[node];
+    int i = 4 * node;
+    aabb.lowerBound.set(bounds[i], bounds[i + 1]);
+    aabb.upperBound.set(bounds[i + 2], bounds[i + 3]);
+    return aabb;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @param aabb may be infinite; NaN is refused
+   */
+  @Override
+  public final void query(TreeCallback callback, AABB aabb) {
+    Vec2 lower = aabb.lowerBound;
+    Vec2 upper = aabb.upperBound;
+    if (Float.isNaN(lower.x + lower.y) || Float.isNaN(upper.x + upper.y)) {
+      throw new IllegalArgumentException("box to query is NaN: " + lower + ", " + upper);
+    }
+    search(callback, lower.x, lower.y, upper.x, upper.y);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @param input finite; copied, so that the callback may reuse it. A ray of length 0 is a point
+   */
+  @Override
+  public void raycast(TreeRayCastCallback callback, RayCastInput input) {
+    boolean finite =
+        isFinite(input.p1.x)
+            && isFinite(input.p1.y)
+            && isFinite(input.p2.x)
+            && isFinite(input.p2.y)
+            && isFinite(input.maxFraction);
+    if (!finite) {
+      throw new IllegalArgumentException(
+          "ray must be finite: " + input.p1 + ", " + input.p2 + ", " + input.maxFraction);
+    }
+    searchRay(callback, input);
+  }
+
+  @Override
+  public final int computeHeight() {
+    return TreeStatistics.computeHeight(this);
+  }
+
+  @Override
+  public int getHeight() {
+    return m_root == NULL ? 0 : m_height[m_root];
+  }
+
+  @Override
+  public int getMaxBalance() {
+    return TreeStatistics.maxBalance(this);
+  }
+
+  @Override
+  public float getAreaRatio() {
+    return TreeStatistics.areaRatio(this);
+  }
+
+  @Override
+  public int getInsertionCount() {
+    return insertions();
+  }
+
+  /**
+   * Checks the tree's structure, heights and boxes.
+   *
+   * @throws IllegalStateException if something does not hold, naming the node
+   */
+  public void validate() {
+    TreeStatistics.validate(this);
+  }
+}

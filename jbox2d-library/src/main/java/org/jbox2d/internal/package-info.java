@@ -1,0 +1,2 @@
+/** Growable primitive collections of the engine. Not exported: free to change. */
+package org.jbox2d.internal;
