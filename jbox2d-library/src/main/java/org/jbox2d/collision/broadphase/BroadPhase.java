@@ -1,5 +1,6 @@
 package org.jbox2d.collision.broadphase;
 
+import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.PairCallback;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
@@ -81,4 +82,7 @@ public interface BroadPhase {
    * at.
    */
   float getTreeQuality();
+
+  /** Draws the index of proxies, the whole of it. */
+  void drawTree(DebugDraw draw);
 }

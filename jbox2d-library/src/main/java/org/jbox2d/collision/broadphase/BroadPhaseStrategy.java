@@ -1,5 +1,6 @@
 package org.jbox2d.collision.broadphase;
 
+import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
 import org.jbox2d.collision.AABB;
@@ -67,6 +68,9 @@ public interface BroadPhaseStrategy {
    * The summed perimeters of all boxes of the index over that of the outermost; 0 if it is empty.
    */
   float getAreaRatio();
+
+  /** Draws the index, the whole of it. */
+  void drawTree(DebugDraw draw);
 
   /**
    * Number of insertions so far, re-insertions of moved proxies included; a strategy that does not

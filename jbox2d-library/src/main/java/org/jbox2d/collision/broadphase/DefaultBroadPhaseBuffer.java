@@ -1,6 +1,7 @@
 package org.jbox2d.collision.broadphase;
 
 import java.util.Arrays;
+import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.PairCallback;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
@@ -209,5 +210,10 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   @Override
   public float getTreeQuality() {
     return strategy.getAreaRatio();
+  }
+
+  @Override
+  public void drawTree(DebugDraw draw) {
+    strategy.drawTree(draw);
   }
 }

@@ -1,5 +1,6 @@
 package org.jbox2d.collision.broadphase;
 
+import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
 import org.jbox2d.collision.AABB;
@@ -85,5 +86,30 @@ public class DynamicTree implements BroadPhaseStrategy {
   /** As {@link DynamicTreeFlatNodes#validate}. */
   public void validate() {
     nodes.validate();
+  }
+
+  /**
+   * Builds the inner nodes anew, perfectly balanced; the proxies keep their ids. Worth its O(n log
+   * n) after many proxies were created in an unlucky order. Not to be called from a callback of the
+   * tree.
+   */
+  public void rebuildBottomUp() {
+    nodes.rebuild();
+  }
+
+  @Override
+  public void drawTree(DebugDraw draw) {
+    nodes.drawTree(draw);
+  }
+
+  /**
+   * Draws nodes that are objects; the tree itself holds none.
+   *
+   * @param node topmost node to draw
+   * @param spot its depth
+   * @param height number of levels over which the colour changes
+   */
+  public void drawTree(DebugDraw draw, DynamicTreeNode node, int spot, int height) {
+    new TreeDrawing(draw, height).draw(node, spot);
   }
 }

@@ -1,6 +1,7 @@
 package org.jbox2d.collision.broadphase;
 
 import java.util.Arrays;
+import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
 import org.jbox2d.collision.AABB;
@@ -240,5 +241,31 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
    */
   public void validate() {
     TreeStatistics.validate(this);
+  }
+
+  /** As {@link DynamicTree#rebuildBottomUp}. */
+  final void rebuild() {
+    TreeRebuild.rebuild(this);
+  }
+
+  @Override
+  public void drawTree(DebugDraw draw) {
+    if (m_root != NULL) {
+      drawTree(draw, m_root, 0, getHeight());
+    }
+  }
+
+  /**
+   * Draws a part of the tree.
+   *
+   * @param node topmost node to draw
+   * @param spot its depth
+   * @param height number of levels over which the colour changes
+   */
+  public void drawTree(DebugDraw draw, int node, int spot, int height) {
+    if (node < 0 || node >= capacity() || isFree(node)) {
+      throw new IllegalArgumentException("no node has the id " + node);
+    }
+    new TreeDrawing(draw, height).draw(this, node, spot);
   }
 }

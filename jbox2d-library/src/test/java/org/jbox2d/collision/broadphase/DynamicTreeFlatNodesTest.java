@@ -84,15 +84,15 @@ class DynamicTreeFlatNodesTest {
   }
 
   /**
-   * The height of a tree of which siblings' heights differ by at most 3: the fewest leaves of
-   * height h are N(h) = N(h-1) + N(h-4). It is 24 for 10,000 leaves, where a perfect tree has 14.
+   * The height of a tree of which siblings' heights differ by at most 5: the fewest leaves of
+   * height h are N(h) = N(h-1) + N(h-6). It is 34 for 10,000 leaves, where a perfect tree has 14.
    */
   private static int heightLimit(int leafCount) {
-    List<Integer> fewest = new ArrayList<>(List.of(1, 2, 3, 4));
+    List<Integer> fewest = new ArrayList<>(List.of(1, 2, 3, 4, 5, 6));
     int height = 0;
     while (fewest.get(height) <= leafCount) {
       height++;
-      fewest.add(fewest.get(fewest.size() - 1) + fewest.get(fewest.size() - 4));
+      fewest.add(fewest.get(fewest.size() - 1) + fewest.get(fewest.size() - 6));
     }
     return height - 1;
   }

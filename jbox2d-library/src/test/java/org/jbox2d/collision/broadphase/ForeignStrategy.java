@@ -2,6 +2,7 @@ package org.jbox2d.collision.broadphase;
 
 import java.util.Map;
 import java.util.TreeMap;
+import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
 import org.jbox2d.collision.AABB;
@@ -88,5 +89,10 @@ final class ForeignStrategy implements BroadPhaseStrategy {
   @Override
   public int getInsertionCount() {
     return insertions;
+  }
+
+  @Override
+  public void drawTree(DebugDraw draw) {
+    throw new UnsupportedOperationException();
   }
 }
