@@ -15,6 +15,7 @@ import org.jbox2d.common.Rot;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Transform;
 import org.jbox2d.common.Vec2;
+import org.jbox2d.pooling.IWorldPool;
 
 /**
  * Contact generation: one method for each pair of shapes, and the steps they are made of.
@@ -49,6 +50,9 @@ public class Collision {
   private final SimplexCache cache = new SimplexCache();
 
   public Collision() {}
+
+  /** As {@link #Collision()}; the pool is not used, and is taken for compatibility. */
+  public Collision(IWorldPool argPool) {}
 
   /**
    * Whether two shapes touch or overlap, skins included.

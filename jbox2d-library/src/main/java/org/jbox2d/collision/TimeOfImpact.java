@@ -7,6 +7,7 @@ import org.jbox2d.collision.narrowphase.SeparationBound;
 import org.jbox2d.collision.narrowphase.SweptProxy;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Sweep;
+import org.jbox2d.pooling.IWorldPool;
 
 /**
  * The time at which two moving convex shapes come into contact.
@@ -61,6 +62,9 @@ public class TimeOfImpact {
   private final SeparationBound bound = new SeparationBound(movingA, movingB);
 
   public TimeOfImpact() {}
+
+  /** As {@link #TimeOfImpact()}; the pool is not used, and is taken for compatibility. */
+  public TimeOfImpact(IWorldPool argPool) {}
 
   /**
    * Computes how far both sweeps can be followed before the shapes touch.

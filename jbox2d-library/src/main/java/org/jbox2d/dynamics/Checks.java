@@ -1,0 +1,79 @@
+package org.jbox2d.dynamics;
+
+import org.jbox2d.collision.shapes.ChainShape;
+import org.jbox2d.collision.shapes.CircleShape;
+import org.jbox2d.collision.shapes.EdgeShape;
+import org.jbox2d.collision.shapes.PolygonShape;
+import org.jbox2d.collision.shapes.Shape;
+import org.jbox2d.common.Vec2;
+
+/**
+ * Checks of what enters the engine. Each failure is an IllegalArgumentException that names the
+ * value.
+ */
+final class Checks {
+  private Checks() {}
+
+  static void notNull(Object value, String name) {
+    if (value == null) {
+      throw new IllegalArgumentException(name + " is null");
+    }
+  }
+
+  static void finite(float value, String name) {
+    if (!Float.isFinite(value)) {
+      throw new IllegalArgumentException(name + " must be finite, is " + value);
+    }
+  }
+
+  static void finite(Vec2 value, String name) {
+    notNull(value, name);
+    if (!Float.isFinite(value.x) || !Float.isFinite(value.y)) {
+      throw new IllegalArgumentException(name + " must be finite, is " + value);
+    }
+  }
+
+  static void notNegative(float value, String name) {
+    if (!(value >= 0f) || Float.isInfinite(value)) {
+      throw new IllegalArgumentException(name + " must be finite and not negative, is " + value);
+    }
+  }
+
+  static void shape(Shape shape, String name) {
+    notNull(shape, name);
+    notNegative(shape.m_radius, name + ".m_radius");
+    switch (shape.m_type) {
+      case CIRCLE:
+        if (!(shape.m_radius > 0f)) {
+          throw new IllegalArgumentException(
+              name + ": the radius of a circle must be positive, is " + shape.m_radius);
+        }
+        finite(((CircleShape) shape).m_p, name + ".m_p");
+        break;
+      case EDGE:
+        finite(((EdgeShape) shape).m_vertex1, name + ".m_vertex1");
+        finite(((EdgeShape) shape).m_vertex2, name + ".m_vertex2");
+        break;
+      case POLYGON:
+        PolygonShape polygon = (PolygonShape) shape;
+        vertices(polygon.m_vertices, polygon.m_count, 3, name);
+        break;
+      case CHAIN:
+        ChainShape chain = (ChainShape) shape;
+        vertices(chain.m_vertices, chain.m_count, 2, name);
+        break;
+      default:
+        throw new IllegalArgumentException(name + " has an unknown type " + shape.m_type);
+    }
+  }
+
+  private static void vertices(Vec2[] vertices, int count, int least, String name) {
+    if (vertices == null || count < least || count > vertices.length) {
+      throw new IllegalArgumentException(
+          name + " must have at least " + least + " vertices, has " + count);
+    }
+    for (int i = 0; i < count; i++) {
+      finite(vertices[i], name + ".m_vertices[" + i + "]");
+    }
+  }
+}

@@ -1,0 +1,237 @@
+package org.jbox2d.dynamics;
+
+import java.util.Arrays;
+import org.jbox2d.callbacks.ContactFilter;
+import org.jbox2d.callbacks.ContactListener;
+import org.jbox2d.callbacks.PairCallback;
+import org.jbox2d.collision.broadphase.BroadPhase;
+import org.jbox2d.collision.broadphase.BroadPhaseStrategy;
+import org.jbox2d.collision.broadphase.DefaultBroadPhaseBuffer;
+import org.jbox2d.dynamics.contacts.Contact;
+import org.jbox2d.dynamics.contacts.ContactEdge;
+import org.jbox2d.dynamics.contacts.ShapeContact;
+import org.jbox2d.internal.LongHashSet;
+
+/**
+ * Makes, updates and destroys contacts.
+ *
+ * <p>Besides JBox2D's linked list of all contacts it keeps a dense array of those with an awake
+ * body, which are all that a step looks at, and a hash set of the pairs that have a contact.
+ */
+public class ContactManager implements PairCallback {
+  /** Finds pairs of overlapping bounds. */
+  public BroadPhase m_broadPhase;
+
+  /** First contact of the world, the newest. */
+  public Contact m_contactList;
+
+  /** Number of contacts of the world. */
+  public int m_contactCount;
+
+  /** Decides which fixtures collide; {@code null}: all do. */
+  public ContactFilter m_contactFilter;
+
+  /** Hears of contacts; may be {@code null}. */
+  public ContactListener m_contactListener;
+
+  Contact[] active = new Contact[64];
+  int activeCount;
+
+  private final World world;
+  private final LongHashSet pairs = new LongHashSet();
+  private Contact free;
+
+  /** Called by the world. */
+  public ContactManager(World argPool, BroadPhase broadPhase) {
+    world = argPool;
+    m_broadPhase = broadPhase;
+    m_contactFilter = new ContactFilter();
+  }
+
+  /** Called by the world. */
+  public ContactManager(World argPool, BroadPhaseStrategy strategy) {
+    this(argPool, new DefaultBroadPhaseBuffer(strategy));
+  }
+
+  /**
+   * Makes a contact for two proxies, if there is none yet and nothing forbids it. Called by the
+   * broad phase.
+   */
+  @Override
+  public void addPair(Object proxyUserDataA, Object proxyUserDataB) {
+    FixtureProxy proxyA = (FixtureProxy) proxyUserDataA;
+    FixtureProxy proxyB = (FixtureProxy) proxyUserDataB;
+    Fixture fixtureA = proxyA.fixture;
+    Fixture fixtureB = proxyB.fixture;
+    Body bodyA = fixtureA.m_body;
+    Body bodyB = fixtureB.m_body;
+    if (bodyA == bodyB || pairs.contains(key(proxyA, proxyB))) {
+      return;
+    }
+    if (!ShapeContact.canCollide(fixtureA.getType(), fixtureB.getType())
+        || !bodyB.shouldCollide(bodyA)
+        || (m_contactFilter != null && !m_contactFilter.shouldCollide(fixtureA, fixtureB))) {
+      return;
+    }
+    if (ShapeContact.mustSwap(fixtureA.getType(), fixtureB.getType())) {
+      create(proxyB, proxyA);
+    } else {
+      create(proxyA, proxyB);
+    }
+  }
+
+  private void create(FixtureProxy proxyA, FixtureProxy proxyB) {
+    Contact c = pop();
+    c.init(proxyA.fixture, proxyA.childIndex, proxyB.fixture, proxyB.childIndex);
+    pairs.add(key(proxyA, proxyB));
+    c.m_prev = null;
+    c.m_next = m_contactList;
+    if (m_contactList != null) {
+      m_contactList.m_prev = c;
+    }
+    m_contactList = c;
+    m_contactCount++;
+    Body bodyA = proxyA.fixture.m_body;
+    Body bodyB = proxyB.fixture.m_body;
+    link(c, c.m_nodeA, bodyA, bodyB);
+    link(c, c.m_nodeB, bodyB, bodyA);
+    if (bodyA.awakeIndex >= 0 || bodyB.awakeIndex >= 0) {
+      activate(c);
+    }
+  }
+
+  private static void link(Contact c, ContactEdge node, Body body, Body other) {
+    node.contact = c;
+    node.other = other;
+    node.prev = null;
+    node.next = body.m_contactList;
+    if (body.m_contactList != null) {
+      body.m_contactList.prev = node;
+    }
+    body.m_contactList = node;
+  }
+
+  private static void unlink(ContactEdge node, Body body) {
+    if (node.prev != null) {
+      node.prev.next = node.next;
+    } else {
+      body.m_contactList = node.next;
+    }
+    if (node.next != null) {
+      node.next.prev = node.prev;
+    }
+  }
+
+  /** Looks for pairs whose bounds have come to overlap. */
+  public void findNewContacts() {
+    m_broadPhase.updatePairs(this);
+  }
+
+  /**
+   * Takes a contact out of everything, tells the listener if it touched, and keeps it for later
+   * use.
+   */
+  public void destroy(Contact c) {
+    Fixture fixtureA = c.m_fixtureA;
+    Fixture fixtureB = c.m_fixtureB;
+    if (m_contactListener != null && c.isTouching()) {
+      m_contactListener.endContact(c);
+    }
+    if (c.m_manifold.pointCount > 0 && !fixtureA.m_isSensor && !fixtureB.m_isSensor) {
+      fixtureA.m_body.setAwake(true);
+      fixtureB.m_body.setAwake(true);
+    }
+    if (c.m_prev != null) {
+      c.m_prev.m_next = c.m_next;
+    } else {
+      m_contactList = c.m_next;
+    }
+    if (c.m_next != null) {
+      c.m_next.m_prev = c.m_prev;
+    }
+    m_contactCount--;
+    unlink(c.m_nodeA, fixtureA.m_body);
+    unlink(c.m_nodeB, fixtureB.m_body);
+    deactivate(c);
+    pairs.remove(key(fixtureA.m_proxies[c.m_indexA], fixtureB.m_proxies[c.m_indexB]));
+    push(c);
+  }
+
+  /**
+   * Updates every contact that has an awake body: filters, drops it if the bounds have parted,
+   * computes the manifold.
+   */
+  public void collide() {
+    int i = 0;
+    while (i < activeCount) {
+      Contact c = active[i];
+      if (mayPersist(c)) {
+        c.update(m_contactListener);
+        i++;
+      } else {
+        // The last active contact takes this place.
+        destroy(c);
+      }
+    }
+  }
+
+  private boolean mayPersist(Contact c) {
+    Fixture fixtureA = c.m_fixtureA;
+    Fixture fixtureB = c.m_fixtureB;
+    if ((c.m_flags & Contact.FILTER_FLAG) != 0) {
+      if (!fixtureB.m_body.shouldCollide(fixtureA.m_body)
+          || (m_contactFilter != null && !m_contactFilter.shouldCollide(fixtureA, fixtureB))) {
+        return false;
+      }
+      c.m_flags &= ~Contact.FILTER_FLAG;
+    }
+    return m_broadPhase.testOverlap(
+        fixtureA.m_proxies[c.m_indexA].proxyId, fixtureB.m_proxies[c.m_indexB].proxyId);
+  }
+
+  void activate(Contact c) {
+    if (c.m_activeIndex >= 0) {
+      return;
+    }
+    if (activeCount == active.length) {
+      active = Arrays.copyOf(active, activeCount + (activeCount >> 1));
+    }
+    c.m_activeIndex = activeCount;
+    active[activeCount++] = c;
+  }
+
+  void deactivate(Contact c) {
+    int i = c.m_activeIndex;
+    if (i < 0) {
+      return;
+    }
+    Contact last = active[--activeCount];
+    active[i] = last;
+    last.m_activeIndex = i;
+    active[activeCount] = null;
+    c.m_activeIndex = -1;
+  }
+
+  Contact pop() {
+    Contact c = free;
+    if (c == null) {
+      return new ShapeContact(world.getPool());
+    }
+    free = c.m_next;
+    world.contactPoolCount--;
+    return c;
+  }
+
+  void push(Contact c) {
+    c.init(null, 0, null, 0);
+    c.m_next = free;
+    free = c;
+    world.contactPoolCount++;
+  }
+
+  private static long key(FixtureProxy a, FixtureProxy b) {
+    int low = Math.min(a.proxyId, b.proxyId);
+    int high = Math.max(a.proxyId, b.proxyId);
+    return (long) low << 32 | high;
+  }
+}

@@ -1,0 +1,298 @@
+package org.jbox2d.dynamics;
+
+import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.RayCastInput;
+import org.jbox2d.collision.RayCastOutput;
+import org.jbox2d.collision.broadphase.BroadPhase;
+import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.collision.shapes.Shape;
+import org.jbox2d.collision.shapes.ShapeType;
+import org.jbox2d.common.Transform;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.contacts.Contact;
+import org.jbox2d.dynamics.contacts.ContactEdge;
+
+/**
+ * A shape fixed to a body, with its density, friction and other properties. Made by {@link
+ * Body#createFixture}.
+ */
+public class Fixture {
+  /** Density, kg/m^2. */
+  public float m_density;
+
+  /** The next fixture of the body, or {@code null}. */
+  public Fixture m_next;
+
+  /** The body. */
+  public Body m_body;
+
+  /** The shape, a clone of the one given. */
+  public Shape m_shape;
+
+  /** Coefficient of friction. */
+  public float m_friction;
+
+  /** Coefficient of restitution. */
+  public float m_restitution;
+
+  /**
+   * One for each child of the shape; only the first {@link #m_proxyCount} are in the broad phase.
+   */
+  public FixtureProxy[] m_proxies;
+
+  /** Number of proxies in the broad phase. */
+  public int m_proxyCount;
+
+  /** Which fixtures this one collides with. Call {@link #refilter()} after a change. */
+  public final Filter m_filter = new Filter();
+
+  /** Whether the fixture only reports contacts. */
+  public boolean m_isSensor;
+
+  /** Whatever the user keeps here. */
+  public Object m_userData;
+
+  /**
+   * Hears of the fixture's solved contacts, such as a material that breaks; {@code null} for none.
+   * May be set at any time.
+   */
+  public FixtureMaterial m_material;
+
+  private final Vec2 displacement = new Vec2();
+  private CompoundShape compound;
+
+  /** A fixture that belongs to no body; use {@link Body#createFixture}. */
+  public Fixture() {}
+
+  /** Returns the shape's type. */
+  public ShapeType getType() {
+    return m_shape.getType();
+  }
+
+  /** Returns the shape. It may be edited; mass changes only by {@link Body#resetMassData()}. */
+  public Shape getShape() {
+    return m_shape;
+  }
+
+  /**
+   * Returns the compound this fixture is a part of, or {@code null}. Fixtures made together return
+   * the same object.
+   */
+  public CompoundShape getCompound() {
+    return compound;
+  }
+
+  void setCompound(CompoundShape compound) {
+    this.compound = compound;
+  }
+
+  /** Returns the material, or {@code null}. */
+  public FixtureMaterial getMaterial() {
+    return m_material;
+  }
+
+  /** Sets the material; {@code null} for none. */
+  public void setMaterial(FixtureMaterial material) {
+    m_material = material;
+  }
+
+  /** Returns whether the fixture only reports contacts. */
+  public boolean isSensor() {
+    return m_isSensor;
+  }
+
+  /** Makes the fixture a sensor or not; wakes the body. */
+  public void setSensor(boolean sensor) {
+    if (sensor != m_isSensor) {
+      m_body.setAwake(true);
+      m_isSensor = sensor;
+    }
+  }
+
+  /** Copies a filter and filters existing contacts anew before the next step. */
+  public void setFilterData(Filter filter) {
+    Checks.notNull(filter, "filter");
+    m_filter.set(filter);
+    refilter();
+  }
+
+  /** Returns the filter. */
+  public Filter getFilterData() {
+    return m_filter;
+  }
+
+  /** Filters existing contacts anew before the next step, and looks for new ones. */
+  public void refilter() {
+    if (m_body == null) {
+      return;
+    }
+    for (ContactEdge edge = m_body.getContactList(); edge != null; edge = edge.next) {
+      Contact contact = edge.contact;
+      if (contact.m_fixtureA == this || contact.m_fixtureB == this) {
+        contact.flagForFiltering();
+        m_body.getWorld().wakeForFiltering(contact);
+      }
+    }
+    BroadPhase broadPhase = m_body.getWorld().m_contactManager.m_broadPhase;
+    for (int i = 0; i < m_proxyCount; i++) {
+      broadPhase.touchProxy(m_proxies[i].proxyId);
+    }
+    m_body.getWorld().lookForPairs();
+  }
+
+  /** Returns the body. */
+  public Body getBody() {
+    return m_body;
+  }
+
+  /** Returns the next fixture of the body, or {@code null}. */
+  public Fixture getNext() {
+    return m_next;
+  }
+
+  /** Sets the density, kg/m^2; takes effect by {@link Body#resetMassData()}. */
+  public void setDensity(float density) {
+    Checks.notNegative(density, "density");
+    m_density = density;
+  }
+
+  /** Returns the density, kg/m^2. */
+  public float getDensity() {
+    return m_density;
+  }
+
+  /** Returns the user data. */
+  public Object getUserData() {
+    return m_userData;
+  }
+
+  /** Sets the user data. */
+  public void setUserData(Object data) {
+    m_userData = data;
+  }
+
+  /** Returns the coefficient of friction. */
+  public float getFriction() {
+    return m_friction;
+  }
+
+  /** Sets the coefficient of friction, for contacts made from now on. */
+  public void setFriction(float friction) {
+    Checks.notNegative(friction, "friction");
+    m_friction = friction;
+  }
+
+  /** Returns the coefficient of restitution. */
+  public float getRestitution() {
+    return m_restitution;
+  }
+
+  /** Sets the coefficient of restitution, for contacts made from now on. */
+  public void setRestitution(float restitution) {
+    Checks.notNegative(restitution, "restitution");
+    m_restitution = restitution;
+  }
+
+  /** Returns whether a world point lies in the shape. */
+  public boolean testPoint(Vec2 p) {
+    return m_shape.testPoint(m_body.m_xf, p);
+  }
+
+  /** Casts a ray against a child of the shape. */
+  public boolean raycast(RayCastOutput output, RayCastInput input, int childIndex) {
+    return m_shape.raycast(output, input, m_body.m_xf, childIndex);
+  }
+
+  /**
+   * Returns the distance of a world point from a child of the shape, m, negative inside where the
+   * shape has an inside.
+   *
+   * @param normalOut receives the direction from the shape to the point
+   */
+  public float computeDistance(Vec2 p, int childIndex, Vec2 normalOut) {
+    return m_shape.computeDistanceToOut(m_body.getTransform(), p, childIndex, normalOut);
+  }
+
+  /** Computes mass, centre and inertia (about the body's origin) of the shape at this density. */
+  public void getMassData(MassData massData) {
+    m_shape.computeMass(massData, m_density);
+  }
+
+  /** Returns the bounds of a child in the broad phase, as of the last step. */
+  public AABB getAABB(int childIndex) {
+    if (childIndex < 0 || childIndex >= m_proxyCount) {
+      throw new IllegalArgumentException(
+          "childIndex must be in [0, " + m_proxyCount + "), is " + childIndex);
+    }
+    return m_proxies[childIndex].aabb;
+  }
+
+  /** Does nothing; kept for programs compiled against 2.2.1.1. */
+  public void dump(int bodyIndex) {}
+
+  /** Takes over a definition. Called by the engine. */
+  public void create(Body body, FixtureDef def) {
+    m_userData = def.userData;
+    m_friction = def.friction;
+    m_restitution = def.restitution;
+    m_density = def.density;
+    m_isSensor = def.isSensor;
+    m_material = def.material;
+    m_filter.set(def.filter);
+    m_body = body;
+    m_next = null;
+    m_shape = def.shape.clone();
+    int children = m_shape.getChildCount();
+    m_proxies = new FixtureProxy[children];
+    for (int i = 0; i < children; i++) {
+      m_proxies[i] = new FixtureProxy();
+    }
+    m_proxyCount = 0;
+  }
+
+  /** Lets go of shape and proxies. Called by the engine. */
+  public void destroy() {
+    m_proxies = null;
+    m_shape = null;
+    m_next = null;
+  }
+
+  /** Enters the shape's children into the broad phase. Called by the engine. */
+  public void createProxies(BroadPhase broadPhase, Transform xf) {
+    m_proxyCount = m_shape.getChildCount();
+    for (int i = 0; i < m_proxyCount; i++) {
+      FixtureProxy proxy = m_proxies[i];
+      m_shape.computeAABB(proxy.aabb, xf, i);
+      proxy.fixture = this;
+      proxy.childIndex = i;
+      proxy.proxyId = broadPhase.createProxy(proxy.aabb, proxy);
+    }
+  }
+
+  /** Removes the shape's children from the broad phase. Called by the engine. */
+  public void destroyProxies(BroadPhase broadPhase) {
+    for (int i = 0; i < m_proxyCount; i++) {
+      FixtureProxy proxy = m_proxies[i];
+      broadPhase.destroyProxy(proxy.proxyId);
+      proxy.proxyId = BroadPhase.NULL_PROXY;
+    }
+    m_proxyCount = 0;
+  }
+
+  /**
+   * Moves the proxies to where the body is now. The displacement lets the broad phase foresee where
+   * it will be next.
+   *
+   * @param transform1 transform before the step
+   * @param transform2 transform now
+   */
+  protected void synchronize(BroadPhase broadPhase, Transform transform1, Transform transform2) {
+    displacement.x = transform2.p.x - transform1.p.x;
+    displacement.y = transform2.p.y - transform1.p.y;
+    for (int i = 0; i < m_proxyCount; i++) {
+      FixtureProxy proxy = m_proxies[i];
+      m_shape.computeAABB(proxy.aabb, transform2, proxy.childIndex);
+      broadPhase.moveProxy(proxy.proxyId, proxy.aabb, displacement);
+    }
+  }
+}

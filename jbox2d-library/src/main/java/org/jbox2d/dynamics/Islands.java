@@ -1,0 +1,242 @@
+package org.jbox2d.dynamics;
+
+import java.util.Arrays;
+import org.jbox2d.dynamics.contacts.Contact;
+import org.jbox2d.dynamics.joints.Joint;
+import org.jbox2d.dynamics.joints.JointEdge;
+import org.jbox2d.dynamics.solver.JointKernels;
+
+/**
+ * Divides what moves into islands: bodies that are joined by touching contacts or joints, not
+ * counting ways through static bodies. Islands are found anew each step by a disjoint-set forest
+ * (Tarjan 1975; path halving, union by index so that the root is the first body of the island),
+ * which costs about one visit of each contact.
+ *
+ * <p>An awake body wakes what it touches; so while contacts are linked, both the set of awake
+ * bodies and the array of active contacts may grow.
+ *
+ * <p>The result lists contacts and joints grouped by island, islands numbered by their first body.
+ */
+final class Islands {
+  int count;
+
+  /** Island of each slot. */
+  int[] islandOf = new int[64];
+
+  /**
+   * Contacts to solve, grouped: those of island k are {@code [contactStart[k], contactStart[k +
+   * 1])}.
+   */
+  Contact[] contacts = new Contact[64];
+
+  int[] contactStart = new int[65];
+  int contactCount;
+
+  /** Joints to solve, grouped like the contacts; within an island by kernel. */
+  Joint[] joints = new Joint[16];
+
+  int[] jointStart = new int[65];
+  int jointCount;
+
+  private int[] parent = new int[64];
+  private Contact[] foundContacts = new Contact[64];
+  private int[] foundContactSlot = new int[64];
+  private Joint[] foundJoints = new Joint[16];
+  private int[] foundJointSlot = new int[16];
+  private int[] jointKeyStart = new int[64];
+
+  void build(AwakeSet awake, ContactManager manager) {
+    contactCount = 0;
+    jointCount = 0;
+    int linkedBodies = 0;
+    int linkedContacts = 0;
+    int set = 0;
+    while (linkedBodies < awake.count || linkedContacts < manager.activeCount) {
+      for (set = initSets(set, awake.count); linkedBodies < awake.count; linkedBodies++) {
+        linkJoints(awake.bodies[linkedBodies]);
+        set = initSets(set, awake.count);
+      }
+      for (; linkedContacts < manager.activeCount; linkedContacts++) {
+        linkContact(manager.active[linkedContacts]);
+        set = initSets(set, awake.count);
+      }
+    }
+    for (int i = 0; i < jointCount; i++) {
+      foundJoints[i].m_islandFlag = false;
+    }
+    number(awake.count);
+    groupContacts();
+    groupJoints();
+  }
+
+  private int initSets(int from, int to) {
+    if (to > parent.length) {
+      parent = Arrays.copyOf(parent, to + (to >> 1));
+    }
+    for (int i = from; i < to; i++) {
+      parent[i] = i;
+    }
+    return Math.max(from, to);
+  }
+
+  private int find(int i) {
+    int[] p = parent;
+    while (p[i] != i) {
+      p[i] = p[p[i]];
+      i = p[i];
+    }
+    return i;
+  }
+
+  private void union(int a, int b) {
+    int ra = find(a);
+    int rb = find(b);
+    if (ra < rb) {
+      parent[rb] = ra;
+    } else {
+      parent[ra] = rb;
+    }
+  }
+
+  private void linkContact(Contact c) {
+    int needed = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG;
+    if ((c.m_flags & needed) != needed
+        || c.m_manifold.pointCount == 0
+        || c.m_fixtureA.m_isSensor
+        || c.m_fixtureB.m_isSensor) {
+      return;
+    }
+    int slot = link(c.m_fixtureA.m_body, -1);
+    slot = link(c.m_fixtureB.m_body, slot);
+    if (slot < 0) {
+      return;
+    }
+    if (contactCount == foundContacts.length) {
+      foundContacts = Arrays.copyOf(foundContacts, 2 * contactCount);
+      foundContactSlot = Arrays.copyOf(foundContactSlot, 2 * contactCount);
+    }
+    foundContacts[contactCount] = c;
+    foundContactSlot[contactCount++] = slot;
+  }
+
+  private void linkJoints(Body body) {
+    for (JointEdge edge = body.m_jointList; edge != null; edge = edge.next) {
+      Joint joint = edge.joint;
+      if (joint.m_islandFlag || !joint.isActive()) {
+        continue;
+      }
+      int slot = -1;
+      for (int i = 0; i < joint.bodyCount(); i++) {
+        slot = link(joint.body(i), slot);
+      }
+      if (slot < 0) {
+        continue;
+      }
+      joint.m_islandFlag = true;
+      if (jointCount == foundJoints.length) {
+        foundJoints = Arrays.copyOf(foundJoints, 2 * jointCount);
+        foundJointSlot = Arrays.copyOf(foundJointSlot, 2 * jointCount);
+      }
+      foundJoints[jointCount] = joint;
+      foundJointSlot[jointCount++] = slot;
+    }
+  }
+
+  /**
+   * Wakes a body that can move and unites its set with that of {@code slot}; returns the slot of
+   * either, -1 for neither.
+   */
+  private int link(Body body, int slot) {
+    if (body.m_type == BodyType.STATIC) {
+      return slot;
+    }
+    if (body.awakeIndex < 0) {
+      body.setAwake(true);
+      initSets(body.awakeIndex, body.awakeIndex + 1);
+    }
+    if (slot >= 0) {
+      union(slot, body.awakeIndex);
+    }
+    return body.awakeIndex;
+  }
+
+  private void number(int n) {
+    if (n > islandOf.length) {
+      islandOf = new int[n + (n >> 1)];
+    }
+    count = 0;
+    for (int i = 0; i < n; i++) {
+      int root = find(i);
+      islandOf[i] = root == i ? count++ : islandOf[root];
+    }
+    if (count + 1 > contactStart.length) {
+      contactStart = new int[count + 1 + (count >> 1)];
+      jointStart = new int[count + 1 + (count >> 1)];
+    }
+  }
+
+  /** Counting sort by island; stable. */
+  private void groupContacts() {
+    if (contacts.length < contactCount) {
+      contacts = new Contact[foundContacts.length];
+    }
+    Arrays.fill(contactStart, 0, count + 1, 0);
+    for (int i = 0; i < contactCount; i++) {
+      contactStart[islandOf[foundContactSlot[i]]]++;
+    }
+    sumToEnds(contactStart, count);
+    for (int i = contactCount - 1; i >= 0; i--) {
+      contacts[--contactStart[islandOf[foundContactSlot[i]]]] = foundContacts[i];
+    }
+  }
+
+  /** Counting sort by island and kernel; stable. */
+  private void groupJoints() {
+    if (jointCount == 0) {
+      Arrays.fill(jointStart, 0, count + 1, 0);
+      return;
+    }
+    if (joints.length < jointCount) {
+      joints = new Joint[foundJoints.length];
+    }
+    int keys = count * JointKernels.COUNT;
+    if (jointKeyStart.length < keys + 1) {
+      jointKeyStart = new int[keys + 1 + (keys >> 1)];
+    }
+    Arrays.fill(jointKeyStart, 0, keys + 1, 0);
+    for (int i = 0; i < jointCount; i++) {
+      jointKeyStart[jointKey(i)]++;
+    }
+    sumToEnds(jointKeyStart, keys);
+    for (int i = jointCount - 1; i >= 0; i--) {
+      joints[--jointKeyStart[jointKey(i)]] = foundJoints[i];
+    }
+    for (int k = 0; k <= count; k++) {
+      jointStart[k] = k == count ? jointCount : jointKeyStart[k * JointKernels.COUNT];
+    }
+  }
+
+  private int jointKey(int i) {
+    return islandOf[foundJointSlot[i]] * JointKernels.COUNT + foundJoints[i].kernelOrder();
+  }
+
+  /** Turns counts into the end of each group; entry n becomes the total. */
+  private static void sumToEnds(int[] counts, int n) {
+    int sum = 0;
+    for (int k = 0; k < n; k++) {
+      sum += counts[k];
+      counts[k] = sum;
+    }
+    counts[n] = sum;
+  }
+
+  /** Lets go of contacts and joints, so that destroyed ones can be collected. */
+  void release() {
+    Arrays.fill(contacts, 0, contactCount, null);
+    Arrays.fill(foundContacts, 0, contactCount, null);
+    Arrays.fill(joints, 0, Math.min(joints.length, jointCount), null);
+    Arrays.fill(foundJoints, 0, jointCount, null);
+    contactCount = 0;
+    jointCount = 0;
+  }
+}

@@ -1,0 +1,154 @@
+package org.jbox2d.dynamics.joints;
+
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.World;
+import org.jbox2d.dynamics.solver.JointRows;
+import org.jbox2d.pooling.IWorldPool;
+
+/**
+ * A constraint between bodies. Made by {@link World#createJoint}.
+ *
+ * <p>A joint is the record between steps: parameters and kept impulses. In a step it writes these
+ * into a row of the solver ({@link #gather}) and reads the impulses back ({@link #scatter}).
+ */
+public abstract class Joint {
+  /** Neighbours in the world's list of joints. */
+  public Joint m_prev;
+
+  /** See {@link #m_prev}. */
+  public Joint m_next;
+
+  /** Node in the list of body A. */
+  public JointEdge m_edgeA;
+
+  /** Node in the list of body B. */
+  public JointEdge m_edgeB;
+
+  /** Engine-internal: already met in this step. */
+  public boolean m_islandFlag;
+
+  /** Whatever the user keeps here. */
+  public Object m_userData;
+
+  /** The bodies. */
+  protected Body m_bodyA;
+
+  /** See {@link #m_bodyA}. */
+  protected Body m_bodyB;
+
+  /** The world's pool. */
+  protected IWorldPool pool;
+
+  private final JointType type;
+  private final boolean collideConnected;
+
+  /** Takes over what all definitions have. */
+  protected Joint(IWorldPool worldPool, JointDef def) {
+    pool = worldPool;
+    type = def.type;
+    m_bodyA = def.bodyA;
+    m_bodyB = def.bodyB;
+    collideConnected = def.collideConnected;
+    m_userData = def.userData;
+    m_edgeA = new JointEdge();
+    m_edgeB = new JointEdge();
+  }
+
+  /**
+   * Makes the joint of a definition. Called by the world.
+   *
+   * @throws IllegalArgumentException if the definition's type is unknown or a value in it is not
+   *     allowed
+   */
+  public static Joint create(World world, JointDef def) {
+    return JointFactory.create(world, def);
+  }
+
+  /** Lets go of what the joint holds. Called by the world. */
+  public static void destroy(Joint joint) {
+    joint.destructor();
+  }
+
+  /** Lets go of what the joint holds. */
+  public void destructor() {}
+
+  /** Returns the kind of joint. */
+  public JointType getType() {
+    return type;
+  }
+
+  /** Returns the first body. */
+  public final Body getBodyA() {
+    return m_bodyA;
+  }
+
+  /** Returns the second body. */
+  public final Body getBodyB() {
+    return m_bodyB;
+  }
+
+  /** Writes the world anchor on body A to {@code out}. */
+  public abstract void getAnchorA(Vec2 out);
+
+  /** Writes the world anchor on body B to {@code out}. */
+  public abstract void getAnchorB(Vec2 out);
+
+  /** Writes the force on body B at its anchor to {@code out}, N. */
+  public abstract void getReactionForce(float inv_dt, Vec2 out);
+
+  /** Returns the torque on body B, N m. */
+  public abstract float getReactionTorque(float inv_dt);
+
+  /** Returns the next joint of the world's list, or {@code null}. */
+  public Joint getNext() {
+    return m_next;
+  }
+
+  /** Returns the user data. */
+  public Object getUserData() {
+    return m_userData;
+  }
+
+  /** Sets the user data. */
+  public void setUserData(Object data) {
+    m_userData = data;
+  }
+
+  /** Returns whether the two bodies collide with each other. */
+  public final boolean getCollideConnected() {
+    return collideConnected;
+  }
+
+  /** Returns whether both bodies are active. */
+  public boolean isActive() {
+    return m_bodyA.isActive() && m_bodyB.isActive();
+  }
+
+  /** Engine-internal: on how many bodies the joint acts. They share an island. */
+  public int bodyCount() {
+    return 2;
+  }
+
+  /**
+   * Engine-internal: one of the bodies on which the joint acts, {@code i} in {@code [0,
+   * bodyCount())}.
+   */
+  public Body body(int i) {
+    return i == 0 ? m_bodyA : m_bodyB;
+  }
+
+  /** Engine-internal: place of this joint's kernel among the kernels. */
+  public abstract int kernelOrder();
+
+  /**
+   * Engine-internal: appends this joint's row. The slots of its bodies are their {@link
+   * Body#m_islandIndex}.
+   *
+   * @return the row
+   */
+  public abstract int gather(JointRows rows);
+
+  /** Engine-internal: reads the impulses back from the row. */
+  public abstract void scatter(JointRows rows, int row);
+}

@@ -1,0 +1,20 @@
+package org.jbox2d.dynamics.joints;
+
+import org.jbox2d.dynamics.World;
+
+/** Makes joints from definitions. */
+final class JointFactory {
+  private JointFactory() {}
+
+  static Joint create(World world, JointDef def) {
+    if (def.type == null) {
+      throw new IllegalArgumentException("JointDef.type is null");
+    }
+    switch (def.type) {
+      case MOUSE:
+        return new MouseJoint(world.getPool(), (MouseJointDef) def);
+      default:
+        throw new IllegalArgumentException("JointDef.type has no joint: " + def.type);
+    }
+  }
+}

@@ -1,0 +1,112 @@
+package org.jbox2d.dynamics.solver;
+
+import java.util.Arrays;
+
+/**
+ * The contact constraints of a step as flat records, in the order in which they are solved.
+ *
+ * <p>A velocity record ({@link #vel}, stride {@link #V_STRIDE}) holds what the velocity kernel
+ * reads, a position record ({@link #pos}, stride {@link #P_STRIDE}) what the position kernel reads.
+ * Velocity constraints are written along the normal {@code n} (from A to B) and the tangent {@code
+ * t = (n.y, -n.x)}; with arms {@code rA, rB} from the centres of mass to the point, the relative
+ * speed along {@code n} is
+ *
+ * <pre>  vn = n . (vB - vA) + wB (rB x n) - wA (rA x n)</pre>
+ *
+ * so that only the cross products are stored, not the arms.
+ */
+public final class ContactConstraints {
+  public static final int V_STRIDE = 34;
+
+  // Velocity record: shared part.
+  public static final int INV_MASS_A = 0;
+  public static final int INV_I_A = 1;
+  public static final int INV_MASS_B = 2;
+  public static final int INV_I_B = 3;
+  public static final int NX = 4;
+  public static final int NY = 5;
+  public static final int FRICTION = 6;
+  public static final int TANGENT_SPEED = 7;
+
+  /** First of the two point blocks, and the length of one. */
+  public static final int POINT = 8;
+
+  public static final int POINT_STRIDE = 9;
+
+  // Within a point block: cross products of the arms with normal and tangent, effective masses, the
+  // speed the normal
+  // constraint aims at (restitution), and the impulses.
+  public static final int RN_A = 0;
+  public static final int RN_B = 1;
+  public static final int RT_A = 2;
+  public static final int RT_B = 3;
+  public static final int NORMAL_MASS = 4;
+  public static final int TANGENT_MASS = 5;
+  public static final int BIAS = 6;
+  public static final int NORMAL_IMPULSE = 7;
+  public static final int TANGENT_IMPULSE = 8;
+
+  // Matrix of the two-point block and its inverse (symmetric).
+  public static final int K11 = 26;
+  public static final int K12 = 27;
+  public static final int K22 = 28;
+  public static final int M11 = 29;
+  public static final int M12 = 30;
+  public static final int M22 = 31;
+  public static final int RESTITUTION = 32;
+
+  public static final int P_STRIDE = 16;
+
+  // Position record. Local points are relative to the centre of mass of their body. CIRCLES: the
+  // plane point is the centre of
+  // A's circle, point 1 that of B's. Faces: normal and plane belong to the reference body, the
+  // points to the other.
+  public static final int LOCAL_NX = 0;
+  public static final int LOCAL_NY = 1;
+  public static final int PLANE_X = 2;
+  public static final int PLANE_Y = 3;
+  public static final int P1X = 4;
+  public static final int P1Y = 5;
+  public static final int P2X = 6;
+  public static final int P2Y = 7;
+  public static final int RADIUS_A = 8;
+  public static final int RADIUS_B = 9;
+  public static final int P_INV_MASS_A = 10;
+  public static final int P_INV_I_A = 11;
+  public static final int P_INV_MASS_B = 12;
+  public static final int P_INV_I_B = 13;
+
+  /** Kinds of manifold, as the position kernel tells them apart. */
+  public static final int CIRCLES = 0;
+
+  public static final int FACE_A = 1;
+  public static final int FACE_B = 2;
+
+  public int count;
+  public int[] bodyA = new int[0];
+  public int[] bodyB = new int[0];
+
+  /** 1 or 2 points that the velocity kernel solves. */
+  public int[] pointCount = new int[0];
+
+  /** 1 or 2 points of the manifold; may exceed {@link #pointCount} where the two are redundant. */
+  public int[] manifoldPoints = new int[0];
+
+  public int[] kind = new int[0];
+  public float[] vel = new float[0];
+  public float[] pos = new float[0];
+
+  public void ensureCapacity(int n) {
+    if (n <= bodyA.length) {
+      return;
+    }
+    int capacity = Math.max(64, Math.max(n, bodyA.length + (bodyA.length >> 1)));
+    bodyA = Arrays.copyOf(bodyA, capacity);
+    bodyB = Arrays.copyOf(bodyB, capacity);
+    pointCount = Arrays.copyOf(pointCount, capacity);
+    manifoldPoints = Arrays.copyOf(manifoldPoints, capacity);
+    kind = Arrays.copyOf(kind, capacity);
+    vel = Arrays.copyOf(vel, V_STRIDE * capacity);
+    pos = Arrays.copyOf(pos, P_STRIDE * capacity);
+  }
+}

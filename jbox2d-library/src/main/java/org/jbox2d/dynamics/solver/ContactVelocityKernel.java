@@ -1,0 +1,211 @@
+package org.jbox2d.dynamics.solver;
+
+import static org.jbox2d.dynamics.solver.ContactConstraints.*;
+
+/**
+ * Sequential impulses on the velocities of contacts: friction first, then the normals, two points
+ * at once.
+ *
+ * <p>For each point the accumulated normal impulse P obeys the complementarity {@code P >= 0, vn -
+ * bias >= 0, P (vn - bias) = 0} and the friction impulse {@code |Pt| <= mu P} (Catto, GDC 2005 and
+ * 2006; projected Gauss-Seidel). The two normals of a box face are coupled, so they are solved as
+ * one 2 x 2 complementarity problem by trying its four index sets (Cottle, Pang and Stone, "The
+ * Linear Complementarity Problem", 1992, section 3.1, direct enumeration):
+ *
+ * <pre>  w = K P + q,   w >= 0, P >= 0, w . P = 0,   q = vn - bias - K P_old</pre>
+ */
+public final class ContactVelocityKernel {
+  private ContactVelocityKernel() {}
+
+  /** Applies the impulses kept from the last step to constraints {@code [from, to)}. */
+  public static void warmStart(ContactConstraints cc, SolverBodies bodies, int from, int to) {
+    float[] d = cc.vel;
+    float[] v = bodies.vel;
+    for (int i = from; i < to; i++) {
+      int c = V_STRIDE * i;
+      int oA = SolverBodies.STRIDE * cc.bodyA[i];
+      int oB = SolverBodies.STRIDE * cc.bodyB[i];
+      float pn = 0f;
+      float pt = 0f;
+      float lA = 0f;
+      float lB = 0f;
+      int end = c + POINT + POINT_STRIDE * cc.pointCount[i];
+      for (int o = c + POINT; o < end; o += POINT_STRIDE) {
+        float jn = d[o + NORMAL_IMPULSE];
+        float jt = d[o + TANGENT_IMPULSE];
+        pn += jn;
+        pt += jt;
+        lA += jn * d[o + RN_A] + jt * d[o + RT_A];
+        lB += jn * d[o + RN_B] + jt * d[o + RT_B];
+      }
+      float px = pn * d[c + NX] + pt * d[c + NY];
+      float py = pn * d[c + NY] - pt * d[c + NX];
+      float mA = d[c + INV_MASS_A];
+      float mB = d[c + INV_MASS_B];
+      v[oA] -= mA * px;
+      v[oA + 1] -= mA * py;
+      v[oA + 2] -= d[c + INV_I_A] * lA;
+      v[oB] += mB * px;
+      v[oB + 1] += mB * py;
+      v[oB + 2] += d[c + INV_I_B] * lB;
+    }
+  }
+
+  /** One iteration over constraints {@code [from, to)}. */
+  public static void solve(ContactConstraints cc, SolverBodies bodies, int from, int to) {
+    float[] d = cc.vel;
+    float[] v = bodies.vel;
+    int[] bodyA = cc.bodyA;
+    int[] bodyB = cc.bodyB;
+    int[] points = cc.pointCount;
+    for (int i = from; i < to; i++) {
+      int c = V_STRIDE * i;
+      int oA = SolverBodies.STRIDE * bodyA[i];
+      int oB = SolverBodies.STRIDE * bodyB[i];
+      if (points[i] == 2) {
+        solveTwo(d, c, v, oA, oB);
+      } else {
+        solveOne(d, c, v, oA, oB);
+      }
+    }
+  }
+
+  private static void solveOne(float[] d, int c, float[] v, int oA, int oB) {
+    float mA = d[c + INV_MASS_A];
+    float iA = d[c + INV_I_A];
+    float mB = d[c + INV_MASS_B];
+    float iB = d[c + INV_I_B];
+    float nx = d[c + NX];
+    float ny = d[c + NY];
+    float vAx = v[oA];
+    float vAy = v[oA + 1];
+    float wA = v[oA + 2];
+    float vBx = v[oB];
+    float vBy = v[oB + 1];
+    float wB = v[oB + 2];
+    int o = c + POINT;
+
+    // Friction along t = (ny, -nx)
+    float rtA = d[o + RT_A];
+    float rtB = d[o + RT_B];
+    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - d[c + TANGENT_SPEED];
+    float limit = d[c + FRICTION] * d[o + NORMAL_IMPULSE];
+    float oldT = d[o + TANGENT_IMPULSE];
+    float newT = Math.max(-limit, Math.min(oldT - d[o + TANGENT_MASS] * vt, limit));
+    d[o + TANGENT_IMPULSE] = newT;
+    float jt = newT - oldT;
+    vAx -= mA * jt * ny;
+    vAy += mA * jt * nx;
+    wA -= iA * jt * rtA;
+    vBx += mB * jt * ny;
+    vBy -= mB * jt * nx;
+    wB += iB * jt * rtB;
+
+    // Normal
+    float rnA = d[o + RN_A];
+    float rnB = d[o + RN_B];
+    float vn = (vBx - vAx) * nx + (vBy - vAy) * ny + wB * rnB - wA * rnA;
+    float oldN = d[o + NORMAL_IMPULSE];
+    float newN = Math.max(0f, oldN - d[o + NORMAL_MASS] * (vn - d[o + BIAS]));
+    d[o + NORMAL_IMPULSE] = newN;
+    float jn = newN - oldN;
+    v[oA] = vAx - mA * jn * nx;
+    v[oA + 1] = vAy - mA * jn * ny;
+    v[oA + 2] = wA - iA * jn * rnA;
+    v[oB] = vBx + mB * jn * nx;
+    v[oB + 1] = vBy + mB * jn * ny;
+    v[oB + 2] = wB + iB * jn * rnB;
+  }
+
+  private static void solveTwo(float[] d, int c, float[] v, int oA, int oB) {
+    float mA = d[c + INV_MASS_A];
+    float iA = d[c + INV_I_A];
+    float mB = d[c + INV_MASS_B];
+    float iB = d[c + INV_I_B];
+    float nx = d[c + NX];
+    float ny = d[c + NY];
+    float vAx = v[oA];
+    float vAy = v[oA + 1];
+    float wA = v[oA + 2];
+    float vBx = v[oB];
+    float vBy = v[oB + 1];
+    float wB = v[oB + 2];
+    int o1 = c + POINT;
+    int o2 = c + POINT + POINT_STRIDE;
+    float a1 = d[o1 + NORMAL_IMPULSE];
+    float a2 = d[o2 + NORMAL_IMPULSE];
+    float friction = d[c + FRICTION];
+    float speed = d[c + TANGENT_SPEED];
+
+    // Friction at point 1, then at point 2
+    float rtA = d[o1 + RT_A];
+    float rtB = d[o1 + RT_B];
+    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
+    float limit = friction * a1;
+    float oldT = d[o1 + TANGENT_IMPULSE];
+    float newT = Math.max(-limit, Math.min(oldT - d[o1 + TANGENT_MASS] * vt, limit));
+    d[o1 + TANGENT_IMPULSE] = newT;
+    float jt = newT - oldT;
+    vAx -= mA * jt * ny;
+    vAy += mA * jt * nx;
+    wA -= iA * jt * rtA;
+    vBx += mB * jt * ny;
+    vBy -= mB * jt * nx;
+    wB += iB * jt * rtB;
+
+    rtA = d[o2 + RT_A];
+    rtB = d[o2 + RT_B];
+    vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
+    limit = friction * a2;
+    oldT = d[o2 + TANGENT_IMPULSE];
+    newT = Math.max(-limit, Math.min(oldT - d[o2 + TANGENT_MASS] * vt, limit));
+    d[o2 + TANGENT_IMPULSE] = newT;
+    jt = newT - oldT;
+    vAx -= mA * jt * ny;
+    vAy += mA * jt * nx;
+    wA -= iA * jt * rtA;
+    vBx += mB * jt * ny;
+    vBy -= mB * jt * nx;
+    wB += iB * jt * rtB;
+
+    // Normals: q = vn - bias - K a
+    float rn1A = d[o1 + RN_A];
+    float rn1B = d[o1 + RN_B];
+    float rn2A = d[o2 + RN_A];
+    float rn2B = d[o2 + RN_B];
+    float k12 = d[c + K12];
+    float along = (vBx - vAx) * nx + (vBy - vAy) * ny;
+    float q1 = along + wB * rn1B - wA * rn1A - d[o1 + BIAS] - (d[c + K11] * a1 + k12 * a2);
+    float q2 = along + wB * rn2B - wA * rn2A - d[o2 + BIAS] - (k12 * a1 + d[c + K22] * a2);
+
+    // Index sets in turn: both points push, only 1, only 2, none. One of them fits, as K is
+    // positive definite; where
+    // rounding lets none fit, the impulses stay as they are.
+    float x1 = -(d[c + M11] * q1 + d[c + M12] * q2);
+    float x2 = -(d[c + M12] * q1 + d[c + M22] * q2);
+    if (!(x1 >= 0f && x2 >= 0f)) {
+      x1 = -d[o1 + NORMAL_MASS] * q1;
+      x2 = 0f;
+      if (!(x1 >= 0f && k12 * x1 + q2 >= 0f)) {
+        x1 = 0f;
+        x2 = -d[o2 + NORMAL_MASS] * q2;
+        if (!(x2 >= 0f && k12 * x2 + q1 >= 0f)) {
+          boolean separating = q1 >= 0f && q2 >= 0f;
+          x1 = separating ? 0f : a1;
+          x2 = separating ? 0f : a2;
+        }
+      }
+    }
+    d[o1 + NORMAL_IMPULSE] = x1;
+    d[o2 + NORMAL_IMPULSE] = x2;
+    float j1 = x1 - a1;
+    float j2 = x2 - a2;
+    float j = j1 + j2;
+    v[oA] = vAx - mA * j * nx;
+    v[oA + 1] = vAy - mA * j * ny;
+    v[oA + 2] = wA - iA * (j1 * rn1A + j2 * rn2A);
+    v[oB] = vBx + mB * j * nx;
+    v[oB + 1] = vBy + mB * j * ny;
+    v[oB + 2] = wB + iB * (j1 * rn1B + j2 * rn2B);
+  }
+}

@@ -1,0 +1,81 @@
+package org.jbox2d.dynamics.solver;
+
+/**
+ * Sequential impulses: velocity iterations with warm starting, then position iterations that stop
+ * as soon as an island is within tolerance. Islands are independent, so each is solved to its end
+ * while its data is in the cache.
+ *
+ * <p>Stages, in order: {@link #prepare}, {@link #solveVelocities}, positions integrated by the
+ * caller, {@link #solvePositions}.
+ */
+public final class SequentialImpulses {
+  /** A step is done with an island when no point is deeper than this many slops. */
+  private static final float ACCEPTED_SLOPS = 3f;
+
+  private final SolverBodies bodies;
+  private final ContactConstraints contacts;
+  private final JointRows joints;
+
+  public SequentialImpulses(SolverBodies bodies, ContactConstraints contacts, JointRows joints) {
+    this.bodies = bodies;
+    this.contacts = contacts;
+    this.joints = joints;
+  }
+
+  /** Prepares and warm starts one island: contacts {@code [c0, c1)}, joints {@code [j0, j1)}. */
+  public void prepare(int c0, int c1, int j0, int j1, StepConfig step) {
+    ContactPreparation.prepare(contacts, bodies, c0, c1, step.velocityThreshold);
+    if (step.warmStarting) {
+      ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
+    }
+    for (int r = j0; r < j1; ) {
+      int end = endOfRun(r, j1);
+      joints.kernel[r].prepare(joints, r, end, bodies, step);
+      r = end;
+    }
+  }
+
+  /** Runs the velocity iterations of one island. */
+  public void solveVelocities(int c0, int c1, int j0, int j1, StepConfig step) {
+    for (int n = 0; n < step.velocityIterations; n++) {
+      for (int r = j0; r < j1; ) {
+        int end = endOfRun(r, j1);
+        joints.kernel[r].solveVelocity(joints, r, end, bodies, step);
+        r = end;
+      }
+      ContactVelocityKernel.solve(contacts, bodies, c0, c1);
+    }
+  }
+
+  /**
+   * Runs the position iterations of one island.
+   *
+   * @return whether it ended within tolerance
+   */
+  public boolean solvePositions(int c0, int c1, int j0, int j1, StepConfig step) {
+    for (int n = 0; n < step.positionIterations; n++) {
+      float least =
+          ContactPositionKernel.solve(
+              contacts, bodies, c0, c1, step.baumgarte, step.linearSlop, step.maxLinearCorrection);
+      boolean done = least >= -ACCEPTED_SLOPS * step.linearSlop;
+      for (int r = j0; r < j1; ) {
+        int end = endOfRun(r, j1);
+        done &= joints.kernel[r].solvePosition(joints, r, end, bodies, step);
+        r = end;
+      }
+      if (done) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private int endOfRun(int r, int limit) {
+    JointKernel k = joints.kernel[r];
+    int end = r + 1;
+    while (end < limit && joints.kernel[end] == k) {
+      end++;
+    }
+    return end;
+  }
+}

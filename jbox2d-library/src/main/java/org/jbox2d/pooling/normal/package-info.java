@@ -1,0 +1,2 @@
+/** The default pool. */
+package org.jbox2d.pooling.normal;
