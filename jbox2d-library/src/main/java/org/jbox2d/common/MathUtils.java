@@ -115,7 +115,7 @@ public class MathUtils extends PlatformMathUtils {
   private static double sinKernel(double r) {
     double z = r * r;
     double tail = -1.0 / 5040 + z * (1.0 / 362880 - z * (1.0 / 39916800));
-    return r + r * z * (-1.0 / 6 + z * (1.0 / 120 + z * tail));
+    return r * (1.0 + z * (-1.0 / 6 + z * (1.0 / 120 + z * tail)));
   }
 
   /**
