@@ -1,6 +1,7 @@
 package org.jbox2d.collision;
 
 import org.jbox2d.common.Vec2;
+import org.jbox2d.pooling.IWorldPool;
 
 /** A rectangle with sides along the axes, in metres. */
 public class AABB {
@@ -157,6 +158,11 @@ public class AABB {
       output.normal.set(0f, dy > 0 ? -1f : 1f);
     }
     return true;
+  }
+
+  /** As {@link #raycast(RayCastOutput, RayCastInput)}; the pool is not used and may be null. */
+  public final boolean raycast(RayCastOutput output, RayCastInput input, IWorldPool argPool) {
+    return raycast(output, input);
   }
 
   @Override
