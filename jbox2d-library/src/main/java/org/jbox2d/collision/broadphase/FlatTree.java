@@ -27,8 +27,9 @@ package org.jbox2d.collision.broadphase;
 abstract class FlatTree extends FlatNodes {
   /**
    * Greatest difference of height of two siblings. 1 would be an AVL tree; more leaves freedom to
-   * keep a large box, such as the ground, high up beside many small ones. With 2,000 moving boxes
-   * on a ground, a query takes 0.55 us at 1, 0.34 us at 5, and no less without a bound.
+   * keep a large box, such as the ground, high up beside many small ones. Measured with 2,000 boxes
+   * moving on a ground: at 5 a query takes 0.6 of the time that it takes at 1, and without a bound
+   * it takes no less.
    */
   static final int SLACK = 5;
 
