@@ -33,10 +33,14 @@ public class PolygonShape extends Shape {
 
   /** A polygon without vertices. */
   public PolygonShape() {
+    this(Settings.maxPolygonVertices);
+  }
+
+  private PolygonShape(int capacity) {
     super(ShapeType.POLYGON);
     m_radius = Settings.polygonRadius;
-    m_vertices = newVectors(Settings.maxPolygonVertices);
-    m_normals = newVectors(m_vertices.length);
+    m_vertices = newVectors(capacity);
+    m_normals = newVectors(capacity);
   }
 
   private static Vec2[] newVectors(int length) {
@@ -49,7 +53,7 @@ public class PolygonShape extends Shape {
 
   @Override
   public final Shape clone() {
-    PolygonShape copy = new PolygonShape();
+    PolygonShape copy = new PolygonShape(m_vertices.length);
     copy.m_centroid.set(m_centroid);
     for (int i = 0; i < m_count; i++) {
       copy.m_vertices[i].set(m_vertices[i]);

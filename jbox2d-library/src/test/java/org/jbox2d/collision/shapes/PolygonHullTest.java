@@ -233,6 +233,28 @@ class PolygonHullTest {
     assertEquals(0.5f, copy.getRadius());
   }
 
+  /** The limit may be assigned between the making of a shape and that of a fixture. */
+  @Test
+  void clonesKeepTheirCapacityWhateverTheSettings() {
+    int before = Settings.maxPolygonVertices;
+    try {
+      Settings.maxPolygonVertices = 12;
+      PolygonShape wide = new PolygonShape();
+      Vec2[] points = new Vec2[12];
+      for (int i = 0; i < 12; i++) {
+        float angle = i * MathUtils.TWOPI / 12;
+        points[i] = new Vec2(MathUtils.cos(angle), MathUtils.sin(angle));
+      }
+      wide.set(points, 12);
+      Settings.maxPolygonVertices = 8;
+      PolygonShape copy = (PolygonShape) wide.clone();
+      assertArrayEquals(vertices(wide), vertices(copy));
+      assertEquals(12, copy.m_count);
+    } finally {
+      Settings.maxPolygonVertices = before;
+    }
+  }
+
   private static void assertRefused(PolygonShape shape, String named, Vec2[] points) {
     IllegalArgumentException e =
         assertThrows(IllegalArgumentException.class, () -> shape.set(points, points.length));
