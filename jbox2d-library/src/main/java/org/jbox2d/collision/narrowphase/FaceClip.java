@@ -3,6 +3,7 @@ package org.jbox2d.collision.narrowphase;
 import org.jbox2d.collision.ContactID;
 import org.jbox2d.collision.Manifold;
 import org.jbox2d.collision.ManifoldPoint;
+import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 
 /**
@@ -28,15 +29,23 @@ import org.jbox2d.common.Vec2;
  *
  * <p>If the whole edge lies beyond one end of the face, two vertices are opposite each other. Then
  * the nearer end is the only candidate, and it counts if it lies inside the round end of the skin:
- * max(h, 0)^2 + e^2 at most R^2, with e its distance beyond the end. A square end would let a box
- * that slides over butted tiles catch on the next tile: with the default settings bodies rest at h
- * = 0.015 with R = 0.02, and no vertex opposite is then both inside the round end and further off
- * sideways than upwards, so the upward face stays the reference.
+ * max(h, 0)^2 + e^2 at most R^2, with e its distance beyond the end. If the edge crosses the end, a
+ * vertex in the round end is taken where it is clearly lower than the cut. A square end would let a
+ * box that slides over butted tiles catch on the next tile: with the default settings bodies rest
+ * at h = 0.015 with R = 0.02, and no vertex opposite is then both inside the round end and further
+ * off sideways than upwards, so the upward face stays the reference.
  *
  * <p>Ids name features, whichever side is the reference: an incident vertex is (face of one, vertex
  * of the other), a cut is (end vertex of the reference face, face of the incident edge).
  */
 final class FaceClip {
+
+  /**
+   * Part of {@link Settings#linearSlop} by which a vertex beyond the end must be lower than the cut
+   * to be taken instead of it. Level edges are cut; at a corner opposite a corner the vertex
+   * counts.
+   */
+  private static final float VERTEX_LEAD = 0.1f;
 
   private static final byte VERTEX = (byte) ContactID.Type.VERTEX.ordinal();
   private static final byte FACE = (byte) ContactID.Type.FACE.ordinal();
@@ -52,8 +61,9 @@ final class FaceClip {
    * @param p start of the incident face, local to the incident shape
    * @param q its end
    * @param radius sum of the skin radii
+   * @return height of the lowest point written, positive infinity if there is none
    */
-  static void clip(
+  static float clip(
       Manifold manifold,
       boolean referenceIsB,
       int refFace,
@@ -75,74 +85,110 @@ final class FaceClip {
     if ((uP < 0f && uQ < 0f) || (uP > length && uQ > length)) {
       float eP = uP < 0f ? -uP : uP - length;
       float eQ = uQ < 0f ? -uQ : uQ - length;
-      boolean nearP = eP <= eQ;
-      float e = nearP ? eP : eQ;
-      float h = Math.max(nearP ? hP : hQ, 0f);
-      if (h * h + e * e <= radius * radius) {
-        add(manifold, referenceIsB, FACE, refFace, VERTEX, nearP ? incFace : incEnd, nearP ? p : q);
+      float aboveP = Math.max(hP, 0f);
+      float aboveQ = Math.max(hQ, 0f);
+      float squaredP = aboveP * aboveP + eP * eP;
+      float squaredQ = aboveQ * aboveQ + eQ * eQ;
+      boolean nearP = squaredP <= squaredQ;
+      if (!((nearP ? squaredP : squaredQ) <= radius * radius)) {
+        return Float.POSITIVE_INFINITY;
       }
-      return;
+      add(manifold, referenceIsB, FACE, refFace, VERTEX, nearP ? incFace : incEnd)
+          .localPoint
+          .set(nearP ? p : q);
+      return nearP ? hP : hQ;
     }
 
-    float du = uQ - uP;
-    float dh = hQ - hP;
-    if (uP < 0f || uP > length) {
-      float cut = uP < 0f ? 0f : length;
-      float fraction = (cut - uP) / du;
-      if (hP + fraction * dh <= radius) {
-        int corner = uP < 0f ? refFace : refEnd;
-        add(manifold, referenceIsB, VERTEX, corner, FACE, incFace, p, q, fraction);
-      }
-    } else if (hP <= radius) {
-      add(manifold, referenceIsB, FACE, refFace, VERTEX, incFace, p);
-    }
-
-    if (uQ < 0f || uQ > length) {
-      float cut = uQ < 0f ? 0f : length;
-      float fraction = (cut - uP) / du;
-      if (hP + fraction * dh <= radius) {
-        int corner = uQ < 0f ? refFace : refEnd;
-        add(manifold, referenceIsB, VERTEX, corner, FACE, incFace, p, q, fraction);
-      }
-    } else if (hQ <= radius && (du != 0f || dh != 0f)) {
+    float lowest =
+        addEnd(
+            manifold,
+            referenceIsB,
+            refFace,
+            refEnd,
+            length,
+            incFace,
+            incFace,
+            p,
+            q,
+            uP,
+            hP,
+            uQ,
+            hQ,
+            radius);
+    if (uQ == uP && hQ == hP) {
       // An incident edge without length is one point, not two.
-      add(manifold, referenceIsB, FACE, refFace, VERTEX, incEnd, q);
+      return lowest;
     }
+    return Math.min(
+        lowest,
+        addEnd(
+            manifold,
+            referenceIsB,
+            refFace,
+            refEnd,
+            length,
+            incFace,
+            incEnd,
+            q,
+            p,
+            uQ,
+            hQ,
+            uP,
+            hP,
+            radius));
   }
 
-  private static void add(
+  /**
+   * Writes the point for one end {@code v} of the incident edge, cut if need be; {@code w} is the
+   * other end.
+   *
+   * @return its height, positive infinity if it is above the skins
+   */
+  private static float addEnd(
       Manifold manifold,
-      boolean flip,
-      byte refType,
-      int refIndex,
-      byte incType,
-      int incIndex,
-      Vec2 at) {
-    ManifoldPoint point = manifold.points[manifold.pointCount++];
-    point.localPoint.set(at);
-    identify(point.id, flip, refType, refIndex, incType, incIndex);
+      boolean referenceIsB,
+      int refFace,
+      int refEnd,
+      float length,
+      int incFace,
+      int vertex,
+      Vec2 v,
+      Vec2 w,
+      float u,
+      float h,
+      float uOther,
+      float hOther,
+      float radius) {
+    if (u < 0f || u > length) {
+      float fraction = ((u < 0f ? 0f : length) - u) / (uOther - u);
+      float hCut = h + fraction * (hOther - h);
+      float e = u < 0f ? -u : u - length;
+      float above = Math.max(h, 0f);
+      boolean round = above * above + e * e <= radius * radius;
+      if (!round || h >= hCut - VERTEX_LEAD * Settings.linearSlop) {
+        if (!(hCut <= radius)) {
+          return Float.POSITIVE_INFINITY;
+        }
+        int corner = u < 0f ? refFace : refEnd;
+        ManifoldPoint point = add(manifold, referenceIsB, VERTEX, corner, FACE, incFace);
+        point.localPoint.set(v.x + fraction * (w.x - v.x), v.y + fraction * (w.y - v.y));
+        return hCut;
+      }
+    } else if (!(h <= radius)) {
+      return Float.POSITIVE_INFINITY;
+    }
+    add(manifold, referenceIsB, FACE, refFace, VERTEX, vertex).localPoint.set(v);
+    return h;
   }
 
-  private static void add(
-      Manifold manifold,
-      boolean flip,
-      byte refType,
-      int refIndex,
-      byte incType,
-      int incIndex,
-      Vec2 p,
-      Vec2 q,
-      float fraction) {
+  private static ManifoldPoint add(
+      Manifold manifold, boolean flip, byte refType, int refIndex, byte incType, int incIndex) {
     ManifoldPoint point = manifold.points[manifold.pointCount++];
-    point.localPoint.set(p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y));
-    identify(point.id, flip, refType, refIndex, incType, incIndex);
-  }
-
-  private static void identify(
-      ContactID id, boolean flip, byte refType, int refIndex, byte incType, int incIndex) {
+    ContactID id = point.id;
     id.typeA = flip ? incType : refType;
     id.indexA = (byte) (flip ? incIndex : refIndex);
     id.typeB = flip ? refType : incType;
     id.indexB = (byte) (flip ? refIndex : incIndex);
+    return point;
   }
 }

@@ -24,6 +24,12 @@ import org.jbox2d.common.Vec2;
  */
 public final class FaceQuery {
 
+  /**
+   * Vertices that are handled without a loop. Boxes are by far the most frequent shape, and loops
+   * this short spend more on their control than on the products.
+   */
+  private static final int UNROLLED = 4;
+
   /** Separation of the best face in metres; negative: penetration. */
   public float separation;
 
@@ -47,13 +53,19 @@ public final class FaceQuery {
 
     float sumX = 0f;
     float sumY = 0f;
-    for (int j = 0; j < otherCount; j++) {
-      Vec2 wj = w[j];
-      sumX += wj.x;
-      sumY += wj.y;
+    int j = 0;
+    if (otherCount >= UNROLLED) {
+      sumX = (w[0].x + w[1].x) + (w[2].x + w[3].x);
+      sumY = (w[0].y + w[1].y) + (w[2].y + w[3].y);
+      j = UNROLLED;
     }
-    float meanX = sumX / otherCount;
-    float meanY = sumY / otherCount;
+    for (; j < otherCount; j++) {
+      sumX += w[j].x;
+      sumY += w[j].y;
+    }
+    float share = 1f / otherCount;
+    float meanX = sumX * share;
+    float meanY = sumY * share;
     float cx = c * meanX - s * meanY + tx;
     float cy = s * meanX + c * meanY + ty;
 
@@ -89,9 +101,19 @@ public final class FaceQuery {
     float mx = c * n.x + s * n.y;
     float my = c * n.y - s * n.x;
     float least = Float.POSITIVE_INFINITY;
-    for (int j = 0; j < count; j++) {
-      Vec2 wj = w[j];
-      float d = mx * wj.x + my * wj.y;
+    int j = 0;
+    if (count >= UNROLLED) {
+      float d0 = mx * w[0].x + my * w[0].y;
+      float d1 = mx * w[1].x + my * w[1].y;
+      float d2 = mx * w[2].x + my * w[2].y;
+      float d3 = mx * w[3].x + my * w[3].y;
+      float d01 = d0 < d1 ? d0 : d1;
+      float d23 = d2 < d3 ? d2 : d3;
+      least = d01 < d23 ? d01 : d23;
+      j = UNROLLED;
+    }
+    for (; j < count; j++) {
+      float d = mx * w[j].x + my * w[j].y;
       if (d < least) {
         least = d;
       }

@@ -65,19 +65,46 @@ public final class PolygonPolygon {
 
     // Stage 3: reference face and incident face.
     float margin = FACE_MARGIN * Settings.linearSlop + RELATIVE_MARGIN * Math.abs(faceA.separation);
-    if (faceB.separation > faceA.separation + margin) {
-      manifold.type = Manifold.ManifoldType.FACE_B;
-      build(manifold, true, b, faceB.face, a, c, -s, backX, backY, radius);
-    } else {
-      manifold.type = Manifold.ManifoldType.FACE_A;
-      build(manifold, false, a, faceA.face, b, c, s, tx, ty, radius);
+    boolean referenceIsB = faceB.separation > faceA.separation + margin;
+    float lowest = buildOn(manifold, referenceIsB, a, b, c, s, tx, ty, radius);
+    // The reference face may end before the other's nearest vertex: beside a corner, or where A is
+    // preferred by the margin alone. Then the cut has lost that vertex, and the other face shows
+    // it.
+    boolean lost =
+        lowest == Float.POSITIVE_INFINITY
+            || (!referenceIsB
+                && lowest > faceB.separation + margin
+                && faceB.separation > faceA.separation);
+    if (lost) {
+      buildOn(manifold, !referenceIsB, a, b, c, s, tx, ty, radius);
     }
+  }
+
+  /** Builds on the face found for A or for B; a point w of B is at R w + t in A's frame. */
+  private float buildOn(
+      Manifold manifold,
+      boolean referenceIsB,
+      PolygonShape a,
+      PolygonShape b,
+      float c,
+      float s,
+      float tx,
+      float ty,
+      float radius) {
+    if (referenceIsB) {
+      manifold.type = Manifold.ManifoldType.FACE_B;
+      float backX = -(c * tx + s * ty);
+      float backY = s * tx - c * ty;
+      return build(manifold, true, b, queryB.face, a, c, -s, backX, backY, radius);
+    }
+    manifold.type = Manifold.ManifoldType.FACE_A;
+    return build(manifold, false, a, queryA.face, b, c, s, tx, ty, radius);
   }
 
   /**
    * Writes plane and points for a face of {@code ref}; (c, s, t) moves {@code inc} into its frame.
    */
-  private static void build(
+  private static float build(
       Manifold manifold,
       boolean referenceIsB,
       PolygonShape ref,
@@ -105,7 +132,7 @@ public final class PolygonPolygon {
     manifold.localNormal.set(nx, ny);
     manifold.localPoint.set(0.5f * (v1.x + v2.x), 0.5f * (v1.y + v2.y));
     // Counter-clockwise order: the face runs along (-n.y, n.x).
-    FaceClip.clip(
+    return FaceClip.clip(
         manifold,
         referenceIsB,
         face,
