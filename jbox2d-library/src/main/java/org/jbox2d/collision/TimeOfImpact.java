@@ -55,6 +55,15 @@ public class TimeOfImpact {
   /** Width of the band above the target that counts as contact, in linear slops. */
   private static final float TOLERANCE = 0.25f;
 
+  /**
+   * Parts of the tolerance. A search stops within the first, an axis is given up within the second,
+   * the distance counts as contact within the whole: each sees what the one before it reached,
+   * though gap and distance differ by rounding.
+   */
+  private static final double ROOT_FOUND = 0.5;
+
+  private static final double AXIS_DONE = 0.75;
+
   private final Gjk gjk = new Gjk();
   private final SimplexCache cache = new SimplexCache();
   private final SweptProxy movingA = new SweptProxy();
@@ -141,14 +150,14 @@ public class TimeOfImpact {
     double uy = gjk.gapY / gjk.distance;
     double nx = movingA.cos() * ux - movingA.sin() * uy;
     double ny = movingA.sin() * ux + movingA.cos() * uy;
+    bound.setAxis(frameOfAxis(), nx, ny);
     double t = start;
     for (int k = 0; k < MAX_ROOT_ITERATIONS; k++) {
-      bound.set(nx, ny);
-      if (bound.at(0.0) <= target + tolerance) {
+      bound.expand(end - t);
+      if (bound.at(0.0) <= target + AXIS_DONE * tolerance) {
         break;
       }
-      // The last advance may end half a tolerance above the target, so that the next test sees it.
-      t += bound.safeInterval(end - t, target, 0.5 * tolerance, MAX_ROOT_ITERATIONS);
+      t += bound.safeInterval(end - t, target, ROOT_FOUND * tolerance, MAX_ROOT_ITERATIONS);
       if (t >= end) {
         break;
       }
@@ -156,6 +165,14 @@ public class TimeOfImpact {
       movingB.moveTo(t);
     }
     return t;
+  }
+
+  /** A face that has the closest point on its inside takes the axis along. */
+  private SeparationBound.Frame frameOfAxis() {
+    if (cache.count == 2 && cache.indexA[0] != cache.indexA[1]) {
+      return SeparationBound.Frame.A;
+    }
+    return cache.count == 2 ? SeparationBound.Frame.B : SeparationBound.Frame.WORLD;
   }
 
   /** Rounds the time down, so that it is not later as a float. */

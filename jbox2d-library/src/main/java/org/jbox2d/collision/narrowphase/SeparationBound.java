@@ -1,19 +1,22 @@
 package org.jbox2d.collision.narrowphase;
 
 /**
- * How far two moving proxies are sure to stay apart along a fixed axis.
+ * How far two moving proxies are sure to stay apart along an axis.
  *
  * <p>For a unit axis n the gap g(t) = min_j n . b_j(t) - max_i n . a_i(t) never exceeds the
- * distance, so there is no contact before g reaches the target. From the pose at time t ({@link
- * SweptProxy})
+ * distance, so there is no contact before g reaches the target. The axis may turn with one of the
+ * bodies: the normal of a face stays its normal, and the ends of the face do not swing across it.
+ * With d = cB - cA, s its change over the sweep and v the turn of the axis, from the poses at time
+ * t ({@link SweptProxy})
  *
  * <pre>
- *   g(t + dt) >= G(dt) = n . (cB - cA) + dt n . (shiftB - shiftA)
+ *   g(t + dt) >= G(dt) = n . d + dt (n . s + v n^perp . d)
  *                        + min_j (f_j + dt f_j') - max_i (f_i + dt f_i') - K dt^2 / 2
+ *   K = KA + KB + v^2 max |d| + 2 |v| |s|
  * </pre>
  *
- * <p>with K the sum of both curvatures. G is a minimum of straight lines less a parabola, hence
- * concave. This gives, without any step size to choose:
+ * <p>where K bounds the second derivatives of all terms. G is a minimum of straight lines less a
+ * parabola, hence concave. This gives, without any step size to choose:
  *
  * <ul>
  *   <li>if G is above the target at both ends of an interval, it is above it throughout;
@@ -28,8 +31,18 @@ package org.jbox2d.collision.narrowphase;
  */
 public final class SeparationBound {
 
+  /** The body with which an axis turns. */
+  public enum Frame {
+    A,
+    B,
+    WORLD
+  }
+
   private final SweptProxy a;
   private final SweptProxy b;
+  private Frame frame;
+  private double localX;
+  private double localY;
   private double start;
   private double speed;
   private double halfCurvature;
@@ -39,13 +52,52 @@ public final class SeparationBound {
     this.b = b;
   }
 
-  /** Fixes the axis, from A to B, at the current poses. */
-  public void set(double nx, double ny) {
-    a.project(nx, ny);
-    b.project(nx, ny);
-    start = nx * (b.x - a.x) + ny * (b.y - a.y);
-    speed = nx * (b.shiftX - a.shiftX) + ny * (b.shiftY - a.shiftY);
-    halfCurvature = 0.5 * (a.curvature + b.curvature);
+  /** Chooses the axis (nx, ny), a unit vector from A to B in the world at the current poses. */
+  public void setAxis(Frame frame, double nx, double ny) {
+    this.frame = frame;
+    if (frame == Frame.WORLD) {
+      localX = nx;
+      localY = ny;
+      return;
+    }
+    SweptProxy owner = frame == Frame.A ? a : b;
+    localX = owner.cos() * nx + owner.sin() * ny;
+    localY = owner.cos() * ny - owner.sin() * nx;
+  }
+
+  /**
+   * Expands the gap at the current poses.
+   *
+   * @param end the longest dt that will be asked for
+   */
+  public void expand(double end) {
+    double nx = localX;
+    double ny = localY;
+    double axisTurn = 0.0;
+    if (frame != Frame.WORLD) {
+      SweptProxy owner = frame == Frame.A ? a : b;
+      nx = owner.cos() * localX - owner.sin() * localY;
+      ny = owner.sin() * localX + owner.cos() * localY;
+      axisTurn = owner.turn;
+    }
+    a.project(nx, ny, axisTurn);
+    b.project(nx, ny, axisTurn);
+    double dx = b.x - a.x;
+    double dy = b.y - a.y;
+    double sx = b.shiftX - a.shiftX;
+    double sy = b.shiftY - a.shiftY;
+    start = nx * dx + ny * dy;
+    speed = nx * sx + ny * sy + axisTurn * (nx * dy - ny * dx);
+    double curvature = a.curvature(axisTurn) + b.curvature(axisTurn);
+    if (axisTurn != 0.0) {
+      double furthest = Math.max(length(dx, dy), length(dx + end * sx, dy + end * sy));
+      curvature += axisTurn * axisTurn * furthest + 2.0 * Math.abs(axisTurn) * length(sx, sy);
+    }
+    halfCurvature = 0.5 * curvature;
+  }
+
+  private static double length(double x, double y) {
+    return Math.sqrt(x * x + y * y);
   }
 
   /** G(dt) in metres; G(0) is the gap itself. */

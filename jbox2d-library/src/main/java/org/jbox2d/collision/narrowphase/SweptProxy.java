@@ -8,11 +8,10 @@ import org.jbox2d.common.Vec2;
 /**
  * The corners of a proxy that moves along a sweep, and their projections on an axis.
  *
- * <p>At the fraction t of the sweep the centre is c(t) = c0 + t (c1 - c0) and the angle a(t) = a0 +
- * t w with w = a1 - a0. A corner at r from the centre of mass then has along a unit axis n the
- * coordinate n . c(t) + f(t), f(t) = n . R(a(t)) r, with f' = w n . (R r)^perp and |f''| at most
- * w^2 |r|. The centre moves evenly, so this bound of f'' is all that separates a corner's
- * coordinate from a straight line in t.
+ * <p>At the fraction t of the sweep the centre of mass is c(t) = c0 + t (c1 - c0) and the angle
+ * a(t) = a0 + t w with w = a1 - a0. A corner at r from the centre then has, along a unit axis n
+ * that turns by v over the sweep, the coordinate n . c(t) + f(t) with f(t) = |r| cos(phi + t (w -
+ * v)). So f' is (w - v) (R r)^perp . n, and |f''| is at most (w - v)^2 |r|.
  */
 public final class SweptProxy {
 
@@ -35,8 +34,8 @@ public final class SweptProxy {
   /** Rotation over the whole sweep, in radians. */
   double turn;
 
-  /** Bound of |f''| for every corner: turn squared times the distance of the furthest. */
-  double curvature;
+  /** Distance of the furthest corner from the centre of mass. */
+  private double reach;
 
   /** Centre of mass in the current pose. */
   double x;
@@ -71,7 +70,7 @@ public final class SweptProxy {
     // Whole turns are taken off so that the angle keeps its digits as a float.
     a0 = sweep.a0 - 2.0 * Math.PI * Math.floor(sweep.a0 / (2.0 * Math.PI));
     turn = (double) sweep.a - sweep.a0;
-    curvature = turn * turn * Math.sqrt(furthest);
+    reach = Math.sqrt(furthest);
   }
 
   /** Sets the pose at the fraction t, with the sine and cosine that bodies use. */
@@ -102,13 +101,22 @@ public final class SweptProxy {
     return y - (sin * localX + cos * localY);
   }
 
-  /** Projects all corners on the axis, relative to the centre of mass, in the current pose. */
-  void project(double nx, double ny) {
+  /** Bound of |f''| for every corner, for an axis that turns by {@code axisTurn}. */
+  double curvature(double axisTurn) {
+    return (turn - axisTurn) * (turn - axisTurn) * reach;
+  }
+
+  /**
+   * Projects all corners on an axis that turns by {@code axisTurn} over the sweep, relative to the
+   * centre of mass, in the current pose.
+   */
+  void project(double nx, double ny, double axisTurn) {
+    double relative = turn - axisTurn;
     double mx = cos * nx + sin * ny;
     double my = cos * ny - sin * nx;
     for (int i = 0; i < count; i++) {
       value[i] = mx * rx[i] + my * ry[i];
-      slope[i] = turn * (my * rx[i] - mx * ry[i]);
+      slope[i] = relative * (my * rx[i] - mx * ry[i]);
     }
   }
 
