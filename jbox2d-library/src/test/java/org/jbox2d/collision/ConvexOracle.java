@@ -3,6 +3,7 @@ package org.jbox2d.collision;
 import java.util.Random;
 import org.jbox2d.collision.Distance.DistanceProxy;
 import org.jbox2d.collision.shapes.PolygonShape;
+import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.common.Transform;
 import org.jbox2d.common.Vec2;
 
@@ -130,6 +131,22 @@ final class ConvexOracle {
     PolygonShape polygon = new PolygonShape();
     polygon.set(vertices, count);
     return polygon;
+  }
+
+  /** Moves B along the shortest connection until the distance of the cores is {@code gap}. */
+  static void moveToGap(Shape a, Transform xfA, Shape b, Transform xfB, double gap) {
+    DistanceInput input = new DistanceInput();
+    input.proxyA.set(a, 0);
+    input.proxyB.set(b, 0);
+    input.transformA = xfA;
+    input.transformB = xfB;
+    DistanceOutput output = new DistanceOutput();
+    new Distance().distance(output, new Distance.SimplexCache(), input);
+    if (output.distance > 0f) {
+      float part = (float) ((gap - output.distance) / output.distance);
+      xfB.p.addLocal(
+          part * (output.pointB.x - output.pointA.x), part * (output.pointB.y - output.pointA.y));
+    }
   }
 
   /** From 0.05 m to 20 m, evenly in the logarithm. */

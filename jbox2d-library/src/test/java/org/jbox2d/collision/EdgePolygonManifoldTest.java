@@ -49,6 +49,9 @@ class EdgePolygonManifoldTest {
             ConvexOracle.angle(random));
     DistanceProxy proxy = new DistanceProxy();
     proxy.set(edge, 0);
+    if (random.nextBoolean()) {
+      ConvexOracle.moveToGap(edge, xfA, polygon, xfB, 1.5 * RADIUS * random.nextDouble());
+    }
     double[] a = ConvexOracle.corners(proxy, xfA);
     double[] b = ConvexOracle.corners(polygon, xfB);
     double distance = ConvexOracle.distance(a, b);
@@ -57,6 +60,8 @@ class EdgePolygonManifoldTest {
     collision.collideEdgeAndPolygon(manifold, edge, xfA, polygon, xfB);
     if (distance > RADIUS + tolerance) {
       assertEquals(0, manifold.pointCount);
+    } else if (distance > 0.0 && distance < 0.95 * RADIUS - tolerance) {
+      assertTrue(manifold.pointCount > 0, "no contact at " + distance);
     } else if (distance == 0.0) {
       assertTrue(manifold.pointCount > 0, "overlap without contact");
       world.initialize(manifold, xfA, edge.m_radius, xfB, polygon.m_radius);

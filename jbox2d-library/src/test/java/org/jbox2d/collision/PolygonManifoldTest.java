@@ -81,6 +81,27 @@ class PolygonManifoldTest {
     assertEquals(1, manifold.pointCount);
   }
 
+  @Test
+  void boxSlidesOverButtedTilesWithoutCatching() {
+    // At rest the skins overlap by a slop. No tile may then push sideways, wherever the box is.
+    PolygonShape tile = box(0.5f, 0.5f);
+    PolygonShape box = box(0.3f, 0.2f);
+    for (int depth = 0; depth < 10; depth++) {
+      float height = 0.7f + 2f * Settings.polygonRadius - 0.0005f - 0.0005f * depth;
+      for (int k = 0; k < 1000; k++) {
+        Transform xfB = at(-1f + 0.002f * k, height, 0f);
+        for (int t = -2; t <= 2; t++) {
+          Transform xfA = at(t, 0f, 0f);
+          collision.collidePolygons(manifold, tile, xfA, box, xfB);
+          if (manifold.pointCount > 0) {
+            evaluate(xfA, tile.m_radius, xfB, box.m_radius);
+            assertEquals(1f, world.normal.y, TOLERANCE, "tile " + t + " at " + xfB.p);
+          }
+        }
+      }
+    }
+  }
+
   private void evaluate(Transform xfA, float radiusA, Transform xfB, float radiusB) {
     world.initialize(manifold, xfA, radiusA, xfB, radiusB);
     assertTrue(manifold.pointCount > 0);

@@ -83,20 +83,8 @@ final class FaceClip {
     manifold.pointCount = 0;
 
     if ((uP < 0f && uQ < 0f) || (uP > length && uQ > length)) {
-      float eP = uP < 0f ? -uP : uP - length;
-      float eQ = uQ < 0f ? -uQ : uQ - length;
-      float aboveP = Math.max(hP, 0f);
-      float aboveQ = Math.max(hQ, 0f);
-      float squaredP = aboveP * aboveP + eP * eP;
-      float squaredQ = aboveQ * aboveQ + eQ * eQ;
-      boolean nearP = squaredP <= squaredQ;
-      if (!((nearP ? squaredP : squaredQ) <= radius * radius)) {
-        return Float.POSITIVE_INFINITY;
-      }
-      add(manifold, referenceIsB, FACE, refFace, VERTEX, nearP ? incFace : incEnd)
-          .localPoint
-          .set(nearP ? p : q);
-      return nearP ? hP : hQ;
+      return addCorner(
+          manifold, referenceIsB, refFace, length, incFace, incEnd, p, q, uP, hP, uQ, hQ, radius);
     }
 
     float lowest =
@@ -136,6 +124,41 @@ final class FaceClip {
             uP,
             hP,
             radius));
+  }
+
+  /**
+   * Writes the point for an incident edge that lies beyond one end of the face.
+   *
+   * @return its height, positive infinity if it is outside the round end
+   */
+  private static float addCorner(
+      Manifold manifold,
+      boolean referenceIsB,
+      int refFace,
+      float length,
+      int incFace,
+      int incEnd,
+      Vec2 p,
+      Vec2 q,
+      float uP,
+      float hP,
+      float uQ,
+      float hQ,
+      float radius) {
+    float eP = uP < 0f ? -uP : uP - length;
+    float eQ = uQ < 0f ? -uQ : uQ - length;
+    float aboveP = Math.max(hP, 0f);
+    float aboveQ = Math.max(hQ, 0f);
+    float squaredP = aboveP * aboveP + eP * eP;
+    float squaredQ = aboveQ * aboveQ + eQ * eQ;
+    boolean nearP = squaredP <= squaredQ;
+    if (!((nearP ? squaredP : squaredQ) <= radius * radius)) {
+      return Float.POSITIVE_INFINITY;
+    }
+    add(manifold, referenceIsB, FACE, refFace, VERTEX, nearP ? incFace : incEnd)
+        .localPoint
+        .set(nearP ? p : q);
+    return nearP ? hP : hQ;
   }
 
   /**
