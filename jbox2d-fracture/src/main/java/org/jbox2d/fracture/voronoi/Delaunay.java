@@ -1,0 +1,381 @@
+package org.jbox2d.fracture.voronoi;
+
+import org.jbox2d.fracture.geometry.InCircle;
+import org.jbox2d.fracture.geometry.Predicates;
+import org.jbox2d.fracture.geometry.SortedIndices;
+
+/**
+ * Delaunay triangulation by divide and conquer with exact predicates: O(n log n) for every input,
+ * also collinear, cocircular and repeated points. Of repeated points only the one with the lowest
+ * index takes part.
+ *
+ * <p>Source: L. Guibas, J. Stolfi, "Primitives for the Manipulation of General Subdivisions and the
+ * Computation of Voronoi Diagrams", ACM Transactions on Graphics 4 (1985), section 9. Points are
+ * numbered by <em>rank</em>: their place in lexicographic order (x, then y). An undirected edge is
+ * a pair of directed ones, e and {@code e ^ 1}; each knows its origin and its neighbours among the
+ * edges of the same origin, counter-clockwise ({@link #next}) and clockwise ({@link #previous}):
+ *
+ * <pre>
+ *        next(e)
+ *           \      left face of e
+ *            \
+ *   origin(e) o-----------&gt; e
+ *            /
+ *           /      right face of e
+ *     previous(e)
+ * </pre>
+ *
+ * <p>An instance owns its arrays and reuses them: once it has seen as many points, it allocates
+ * nothing. Not for use by two threads at once.
+ */
+public final class Delaunay {
+  private static final int NONE = -1;
+
+  private final InCircle inCircle = new InCircle();
+
+  private int siteCount;
+  private int count;
+  private int[] order = new int[0];
+  private int[] scratch = new int[0];
+  private double[] keyX = new double[0];
+  private double[] keyY = new double[0];
+  private int[] rankOfSite = new int[0];
+  private int[] siteOfRank = new int[0];
+  private double[] x = new double[0];
+  private double[] y = new double[0];
+
+  private int edgeEnd;
+  private int freeEdge;
+  private int[] origin = new int[0];
+  private int[] next = new int[0];
+  private int[] previous = new int[0];
+  private int[] firstEdge = new int[0];
+
+  /** Leftmost and rightmost hull edges, what {@link #divide} returns. */
+  private int leftEdge;
+
+  private int rightEdge;
+
+  /**
+   * Triangulates n points.
+   *
+   * @param xy interleaved coordinates, at least 2 n; not changed
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
+   */
+  public void compute(double[] xy, int n) {
+    sortAndNumber(xy, n);
+    edgeEnd = 0;
+    freeEdge = NONE;
+    leftEdge = NONE;
+    rightEdge = NONE;
+    if (count > 1) {
+      divide(0, count);
+    }
+    for (int e = 0; e < edgeEnd; e++) {
+      if (origin[e] >= 0) {
+        firstEdge[origin[e]] = e;
+      }
+    }
+  }
+
+  /** Number of distinct points, which are the ranks 0 to this less 1. */
+  public int count() {
+    return count;
+  }
+
+  /** Rank of the point with index i as given; repeated points share their rank. */
+  public int rankOfSite(int i) {
+    return rankOfSite[i];
+  }
+
+  /** Index, as given, of the point of a rank: the lowest index if it was repeated. */
+  public int siteOfRank(int rank) {
+    return siteOfRank[rank];
+  }
+
+  /** x of the point of a rank. */
+  public double x(int rank) {
+    return x[rank];
+  }
+
+  /** y of the point of a rank. */
+  public double y(int rank) {
+    return y[rank];
+  }
+
+  /** One past the highest directed edge; not every number below is in use. */
+  public int edgeEnd() {
+    return edgeEnd;
+  }
+
+  /** Whether a directed edge is in use. */
+  public boolean isEdge(int e) {
+    return origin[e] >= 0;
+  }
+
+  /** Rank of the point a directed edge starts from. */
+  public int origin(int e) {
+    return origin[e];
+  }
+
+  /** Rank of the point a directed edge ends in. */
+  public int destination(int e) {
+    return origin[e ^ 1];
+  }
+
+  /** Next edge, counter-clockwise, with the same origin. */
+  public int next(int e) {
+    return next[e];
+  }
+
+  /** Next edge, clockwise, with the same origin. */
+  public int previous(int e) {
+    return previous[e];
+  }
+
+  /** Next edge along the face left of e, which starts where e ends. */
+  public int nextLeft(int e) {
+    return previous[e ^ 1];
+  }
+
+  /** An edge from the point of a rank, or -1 if there is no edge at all. */
+  public int firstEdge(int rank) {
+    return count > 1 ? firstEdge[rank] : NONE;
+  }
+
+  /** A directed hull edge whose left face is the unbounded one, or -1 if there is no edge. */
+  public int hullEdge() {
+    return count > 1 ? leftEdge ^ 1 : NONE;
+  }
+
+  /** Whether a triangle lies left of e. */
+  public boolean hasTriangleLeft(int e) {
+    int f = nextLeft(e);
+    int g = nextLeft(f);
+    return nextLeft(g) == e && g != f && f != e && leftOf(origin[g], origin[e], origin[f]);
+  }
+
+  /**
+   * Side of the point opposite on the right of e relative to the circumcircle of the triangle left
+   * of e: +1 inside (not Delaunay), 0 on the circle, -1 outside. Both sides of e must have
+   * triangles.
+   */
+  public int inCircleSign(int e) {
+    return inCircle(origin[e], origin[e ^ 1], destination(next[e]), destination(previous[e]));
+  }
+
+  private void sortAndNumber(double[] xy, int n) {
+    ensurePoints(n);
+    siteCount = n;
+    for (int i = 0; i < n; i++) {
+      keyX[i] = xy[2 * i];
+      keyY[i] = xy[2 * i + 1];
+      order[i] = i;
+      if (keyX[i] * 0 + keyY[i] * 0 != 0) {
+        throw new IllegalArgumentException(
+            "site " + i + " is not finite: (" + keyX[i] + ", " + keyY[i] + ")");
+      }
+    }
+    SortedIndices.sort(order, n, keyX, keyY, scratch);
+    count = 0;
+    for (int k = 0; k < n; k++) {
+      int i = order[k];
+      if (count == 0 || keyX[i] != x[count - 1] || keyY[i] != y[count - 1]) {
+        x[count] = keyX[i];
+        y[count] = keyY[i];
+        siteOfRank[count++] = i;
+      }
+      rankOfSite[i] = count - 1;
+    }
+  }
+
+  /** Number of points given, repeated ones included. */
+  public int siteCount() {
+    return siteCount;
+  }
+
+  private void ensurePoints(int n) {
+    if (order.length >= n) {
+      return;
+    }
+    int size = Math.max(n, order.length + order.length / 2);
+    order = new int[size];
+    scratch = new int[size];
+    keyX = new double[size];
+    keyY = new double[size];
+    rankOfSite = new int[size];
+    siteOfRank = new int[size];
+    x = new double[size];
+    y = new double[size];
+    firstEdge = new int[size];
+    // Euler: at most 3n - 6 edges at any time; deleted ones are used again, and a merge inserts
+    // before it deletes.
+    origin = new int[6 * size];
+    next = new int[6 * size];
+    previous = new int[6 * size];
+  }
+
+  private boolean leftOf(int p, int a, int b) {
+    return Predicates.orientation(x[a], y[a], x[b], y[b], x[p], y[p]) > 0;
+  }
+
+  private int inCircle(int a, int b, int c, int d) {
+    return inCircle.sign(x[a], y[a], x[b], y[b], x[c], y[c], x[d], y[d]);
+  }
+
+  private int makeEdge(int from, int to) {
+    int e = freeEdge;
+    if (e == NONE) {
+      e = edgeEnd;
+      edgeEnd += 2;
+    } else {
+      freeEdge = next[e];
+    }
+    origin[e] = from;
+    origin[e ^ 1] = to;
+    next[e] = e;
+    previous[e] = e;
+    next[e ^ 1] = e ^ 1;
+    previous[e ^ 1] = e ^ 1;
+    return e;
+  }
+
+  /**
+   * Joins the edge rings of a and b if they are apart, or cuts them apart if they are one (Guibas
+   * and Stolfi, section 4).
+   */
+  private void splice(int a, int b) {
+    int afterA = next[a];
+    int afterB = next[b];
+    next[a] = afterB;
+    previous[afterB] = a;
+    next[b] = afterA;
+    previous[afterA] = b;
+  }
+
+  /** New edge from the end of a to the start of b, such that all three have the same left face. */
+  private int connect(int a, int b) {
+    int e = makeEdge(origin[a ^ 1], origin[b]);
+    splice(e, nextLeft(a));
+    splice(e ^ 1, b);
+    return e;
+  }
+
+  private void deleteEdge(int e) {
+    splice(e, previous[e]);
+    splice(e ^ 1, previous[e ^ 1]);
+    int even = e & ~1;
+    origin[even] = NONE;
+    origin[even + 1] = NONE;
+    next[even] = freeEdge;
+    freeEdge = even;
+  }
+
+  /**
+   * Triangulates the ranks start to end - 1, at least two. Leaves in {@link #leftEdge} the
+   * counter-clockwise hull edge out of the leftmost point, in {@link #rightEdge} the clockwise hull
+   * edge out of the rightmost one.
+   */
+  private void divide(int start, int end) {
+    if (end - start == 2) {
+      leftEdge = makeEdge(start, start + 1);
+      rightEdge = leftEdge ^ 1;
+      return;
+    }
+    if (end - start == 3) {
+      triangle(start);
+      return;
+    }
+    int middle = (start + end) >>> 1;
+    divide(start, middle);
+    int outerLeft = leftEdge;
+    int innerLeft = rightEdge;
+    divide(middle, end);
+    merge(outerLeft, innerLeft, leftEdge, rightEdge);
+  }
+
+  private void triangle(int p) {
+    int a = makeEdge(p, p + 1);
+    int b = makeEdge(p + 1, p + 2);
+    splice(a ^ 1, b);
+    int turn = Predicates.orientation(x[p], y[p], x[p + 1], y[p + 1], x[p + 2], y[p + 2]);
+    leftEdge = a;
+    rightEdge = b ^ 1;
+    if (turn > 0) {
+      connect(b, a);
+    } else if (turn < 0) {
+      int c = connect(b, a);
+      leftEdge = c ^ 1;
+      rightEdge = c;
+    }
+  }
+
+  /** Joins two triangulations from their lower common tangent upwards ("rising bubble"). */
+  private void merge(int outerLeft, int innerLeft, int innerRight, int outerRight) {
+    int l = innerLeft;
+    int r = innerRight;
+    while (true) {
+      if (leftOf(origin[r], origin[l], origin[l ^ 1])) {
+        l = nextLeft(l);
+      } else if (leftOf(origin[l], origin[r ^ 1], origin[r])) {
+        r = next[r ^ 1];
+      } else {
+        break;
+      }
+    }
+    int base = connect(r ^ 1, l);
+    leftEdge = origin[l] == origin[outerLeft] ? base ^ 1 : outerLeft;
+    rightEdge = origin[r] == origin[outerRight] ? base : outerRight;
+    while (true) {
+      int left = leftCandidate(base);
+      int right = rightCandidate(base);
+      boolean leftValid = above(left, base);
+      boolean rightValid = above(right, base);
+      if (!leftValid && !rightValid) {
+        return;
+      }
+      boolean takeRight =
+          !leftValid
+              || (rightValid
+                  && inCircle(origin[left ^ 1], origin[left], origin[right], origin[right ^ 1])
+                      > 0);
+      base = takeRight ? connect(right, base ^ 1) : connect(base ^ 1, left ^ 1);
+    }
+  }
+
+  /**
+   * Whether edge e ends left of the directed line of the base's twin, that is above the bubble's
+   * base.
+   */
+  private boolean above(int e, int base) {
+    return leftOf(origin[e ^ 1], origin[base ^ 1], origin[base]);
+  }
+
+  /**
+   * First edge from the base's left end that survives: edges whose circle holds the next one's end
+   * are deleted.
+   */
+  private int leftCandidate(int base) {
+    int e = next[base ^ 1];
+    if (above(e, base)) {
+      while (inCircle(origin[base ^ 1], origin[base], origin[e ^ 1], origin[next[e] ^ 1]) > 0) {
+        int after = next[e];
+        deleteEdge(e);
+        e = after;
+      }
+    }
+    return e;
+  }
+
+  private int rightCandidate(int base) {
+    int e = previous[base];
+    if (above(e, base)) {
+      while (inCircle(origin[base ^ 1], origin[base], origin[e ^ 1], origin[previous[e] ^ 1]) > 0) {
+        int after = previous[e];
+        deleteEdge(e);
+        e = after;
+      }
+    }
+    return e;
+  }
+}
