@@ -1,0 +1,126 @@
+package org.jbox2d.fracture.fragmentation;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import org.jbox2d.fracture.voronoi.VoronoiDiagram;
+
+/**
+ * Gives the edges of a Voronoi diagram to the {@link Noder}, as far as they can matter: an edge
+ * counts only if the cell on one of its sides may overlap a region of effect. The cells of a
+ * diagram do not meet each other but along edges, so edges are added clean, unless rounding may
+ * have spoiled that: where edges of a cell come nearer to each other than the noder tells apart,
+ * they are dirty.
+ */
+final class CellEdges {
+  private VoronoiDiagram diagram;
+  private double snap;
+  private boolean[] matters = new boolean[0];
+  private boolean[] doubtful = new boolean[0];
+  private int[] node = new int[0];
+
+  void add(
+      VoronoiDiagram voronoi,
+      Noder noder,
+      List<? extends RegionOfEffect> regions,
+      DoubleUnaryOperator toInputX,
+      DoubleUnaryOperator toInputY,
+      double snapDistance) {
+    diagram = voronoi;
+    snap = snapDistance;
+    ensure();
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      matters[i] = regions.isEmpty();
+      for (int k = 0; k < regions.size() && !matters[i]; k++) {
+        matters[i] = mayOverlap(i, regions.get(k), toInputX, toInputY);
+      }
+    }
+    Arrays.fill(doubtful, 0, diagram.vertexCount(), false);
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      if (matters[i]) {
+        doubt(i);
+      }
+    }
+    Arrays.fill(node, 0, diagram.vertexCount(), -1);
+    for (int e = 0; e < diagram.edgeCount(); e++) {
+      if (matters[diagram.edgeLeft(e)] || matters[diagram.edgeRight(e)]) {
+        addEdge(e, noder);
+      }
+    }
+  }
+
+  private void ensure() {
+    if (matters.length < diagram.siteCount()) {
+      matters = new boolean[2 * diagram.siteCount()];
+    }
+    if (doubtful.length < diagram.vertexCount()) {
+      doubtful = new boolean[2 * diagram.vertexCount()];
+      node = new int[2 * diagram.vertexCount()];
+    }
+  }
+
+  private boolean mayOverlap(
+      int cell, RegionOfEffect region, DoubleUnaryOperator toInputX, DoubleUnaryOperator toInputY) {
+    double minX = Double.POSITIVE_INFINITY;
+    double minY = Double.POSITIVE_INFINITY;
+    double maxX = Double.NEGATIVE_INFINITY;
+    double maxY = Double.NEGATIVE_INFINITY;
+    for (int k = diagram.cellStart(cell); k < diagram.cellEnd(cell); k++) {
+      double x = toInputX.applyAsDouble(diagram.vertexX(diagram.cornerVertex(k)));
+      double y = toInputY.applyAsDouble(diagram.vertexY(diagram.cornerVertex(k)));
+      minX = Math.min(minX, x);
+      maxX = Math.max(maxX, x);
+      minY = Math.min(minY, y);
+      maxY = Math.max(maxY, y);
+    }
+    return minX <= region.maxX()
+        && maxX >= region.minX()
+        && minY <= region.maxY()
+        && maxY >= region.minY();
+  }
+
+  /**
+   * Marks corners of a cell that lie nearer than two snapping distances to the line of an edge next
+   * to them.
+   */
+  private void doubt(int cell) {
+    int start = diagram.cellStart(cell);
+    int size = diagram.cellEnd(cell) - start;
+    for (int k = 0; k < size; k++) {
+      int a = diagram.cornerVertex(start + k);
+      int b = diagram.cornerVertex(start + (k + 1) % size);
+      int c = diagram.cornerVertex(start + (k + 2) % size);
+      double ux = diagram.vertexX(b) - diagram.vertexX(a);
+      double uy = diagram.vertexY(b) - diagram.vertexY(a);
+      double vx = diagram.vertexX(c) - diagram.vertexX(b);
+      double vy = diagram.vertexY(c) - diagram.vertexY(b);
+      double cross = ux * vy - uy * vx;
+      double longest = Math.max(ux * ux + uy * uy, vx * vx + vy * vy);
+      if (cross <= 0 || cross * cross <= 4 * snap * snap * longest) {
+        doubtful[a] = true;
+        doubtful[b] = true;
+        doubtful[c] = true;
+      }
+    }
+  }
+
+  private void addEdge(int e, Noder noder) {
+    int from = diagram.edgeFrom(e);
+    int to = diagram.edgeTo(e);
+    boolean dirty = doubtful[from] || doubtful[to];
+    noder.addSegment(
+        nodeOf(from, noder),
+        nodeOf(to, noder),
+        diagram.edgeLeft(e),
+        diagram.edgeRight(e),
+        false,
+        dirty);
+  }
+
+  private int nodeOf(int vertex, Noder noder) {
+    if (node[vertex] < 0) {
+      node[vertex] = noder.addNode(diagram.vertexX(vertex), diagram.vertexY(vertex));
+    }
+    return node[vertex];
+  }
+}

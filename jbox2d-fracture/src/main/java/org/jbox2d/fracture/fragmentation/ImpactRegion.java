@@ -1,0 +1,195 @@
+package org.jbox2d.fracture.fragmentation;
+
+/**
+ * The thesis' region of effect (section 5.2.2). In the frame with its origin at the contact point
+ * and +y along the impact vector: a half disc of radius r behind, {@code x^2 + y^2 < r^2, y < 0},
+ * and a half ellipse ahead, {@code x^2 / r^2 + y^2 / d^2 < 1, y >= 0}. A zero impact vector gives
+ * the disc of radius r.
+ *
+ * <p>Both halves are unions of triangles with the contact point, cut at the curve. So the overlap
+ * with a ring is the sum over its edges of the signed overlap of region and triangle (contact, a,
+ * b): the edge is cut at y = 0, the upper part scaled by r/d in y, and what is left is the overlap
+ * of a disc and a triangle at its centre, made of triangles inside and sectors outside the disc. No
+ * clipping, exact but for rounding.
+ */
+public final class ImpactRegion implements RegionOfEffect {
+  private final double contactX;
+  private final double contactY;
+  private final double directionX;
+  private final double directionY;
+  private final double radius;
+  private final double depth;
+
+  /**
+   * Creates a region.
+   *
+   * @param impactX x of the impact vector, of any length; zero in both for a disc
+   * @param radius r, positive
+   * @param depth d, positive; no matter for a zero vector
+   * @throws IllegalArgumentException if an argument is not finite, or radius or depth is not
+   *     positive
+   */
+  public ImpactRegion(
+      double contactX,
+      double contactY,
+      double impactX,
+      double impactY,
+      double radius,
+      double depth) {
+    if ((contactX + contactY) * 0 != 0) {
+      throw new IllegalArgumentException("contact point: (" + contactX + ", " + contactY + ")");
+    }
+    if (impactX * 0 + impactY * 0 != 0) {
+      throw new IllegalArgumentException("impact vector: (" + impactX + ", " + impactY + ")");
+    }
+    if (!(radius > 0 && radius * 0 == 0)) {
+      throw new IllegalArgumentException("radius: " + radius);
+    }
+    if (!(depth > 0 && depth * 0 == 0)) {
+      throw new IllegalArgumentException("depth: " + depth);
+    }
+    this.contactX = contactX;
+    this.contactY = contactY;
+    this.radius = radius;
+    double largest = Math.max(Math.abs(impactX), Math.abs(impactY));
+    if (largest > 0) {
+      double ux = impactX / largest;
+      double uy = impactY / largest;
+      double length = Math.sqrt(ux * ux + uy * uy);
+      directionX = ux / length;
+      directionY = uy / length;
+      this.depth = depth;
+    } else {
+      directionX = 0;
+      directionY = 1;
+      this.depth = radius;
+    }
+  }
+
+  @Override
+  public double contactX() {
+    return contactX;
+  }
+
+  @Override
+  public double contactY() {
+    return contactY;
+  }
+
+  @Override
+  public double minX() {
+    return contactX - reach(-directionX, directionY);
+  }
+
+  @Override
+  public double maxX() {
+    return contactX + reach(directionX, directionY);
+  }
+
+  @Override
+  public double minY() {
+    return contactY - reach(-directionY, directionX);
+  }
+
+  @Override
+  public double maxY() {
+    return contactY + reach(directionY, directionX);
+  }
+
+  /**
+   * Support of the region in a direction that has the given components along and across the impact.
+   */
+  private double reach(double along, double across) {
+    double stretch = along > 0 ? depth : radius;
+    double a = along * stretch;
+    double b = across * radius;
+    return Math.sqrt(a * a + b * b);
+  }
+
+  @Override
+  public double overlap(double[] xy, int start, int end) {
+    double sum = 0;
+    double ax = toX(xy, end - 1);
+    double ay = toY(xy, end - 1);
+    for (int i = start; i < end; i++) {
+      double bx = toX(xy, i);
+      double by = toY(xy, i);
+      sum += edgeOverlap(ax, ay, bx, by);
+      ax = bx;
+      ay = by;
+    }
+    return sum * radius * radius;
+  }
+
+  /** Coordinate across the impact in units of the radius. */
+  private double toX(double[] xy, int i) {
+    double dx = xy[2 * i] - contactX;
+    double dy = xy[2 * i + 1] - contactY;
+    return (dx * directionY - dy * directionX) / radius;
+  }
+
+  /** Coordinate along the impact in units of the radius. */
+  private double toY(double[] xy, int i) {
+    double dx = xy[2 * i] - contactX;
+    double dy = xy[2 * i + 1] - contactY;
+    return (dx * directionX + dy * directionY) / radius;
+  }
+
+  private double edgeOverlap(double ax, double ay, double bx, double by) {
+    if ((ay >= 0) == (by >= 0)) {
+      return halfOverlap(ax, ay, bx, by, ay >= 0);
+    }
+    double t = ay / (ay - by);
+    double cx = ax + t * (bx - ax);
+    return halfOverlap(ax, ay, cx, 0, ay >= 0) + halfOverlap(cx, 0, bx, by, by >= 0);
+  }
+
+  private double halfOverlap(double ax, double ay, double bx, double by, boolean ahead) {
+    if (!ahead) {
+      return discOverlap(ax, ay, bx, by);
+    }
+    double stretch = depth / radius;
+    return stretch * discOverlap(ax, ay / stretch, bx, by / stretch);
+  }
+
+  /**
+   * Signed overlap of the unit disc and the triangle (centre, a, b). The edge is a + t (b - a); it
+   * is inside the disc for t between the roots of |a + t (b - a)|^2 = 1.
+   */
+  private static double discOverlap(double ax, double ay, double bx, double by) {
+    double ux = bx - ax;
+    double uy = by - ay;
+    double uu = ux * ux + uy * uy;
+    double au = ax * ux + ay * uy;
+    double beyond = ax * ax + ay * ay - 1;
+    if (beyond <= 0 && bx * bx + by * by <= 1) {
+      return 0.5 * (ax * by - ay * bx);
+    }
+    double discriminant = au * au - uu * beyond;
+    if (discriminant <= 0 || uu == 0) {
+      return sector(ax, ay, bx, by);
+    }
+    double root = Math.sqrt(discriminant);
+    double enter = Math.max(0, (-au - root) / uu);
+    double leave = Math.min(1, (-au + root) / uu);
+    if (enter >= leave) {
+      return sector(ax, ay, bx, by);
+    }
+    double ex = ax + enter * ux;
+    double ey = ay + enter * uy;
+    double lx = ax + leave * ux;
+    double ly = ay + leave * uy;
+    double area = 0.5 * (ex * ly - ey * lx);
+    if (enter > 0) {
+      area += sector(ax, ay, ex, ey);
+    }
+    if (leave < 1) {
+      area += sector(lx, ly, bx, by);
+    }
+    return area;
+  }
+
+  private static double sector(double ax, double ay, double bx, double by) {
+    return 0.5 * StrictMath.atan2(ax * by - ay * bx, ax * bx + ay * by);
+  }
+}

@@ -1,0 +1,178 @@
+package org.jbox2d.fracture.fragmentation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Collections;
+import java.util.List;
+import org.jbox2d.fracture.geometry.Outline;
+import org.jbox2d.fracture.voronoi.SiteKind;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class FragmenterTest {
+  private static final List<RegionOfEffect> EVERYWHERE = Collections.emptyList();
+  private static final Outline BOX = Outline.of(-1, -1, 1, -1, 1, 1, -1, 1);
+
+  /** Cases of each pair of classes in a normal build; -Dgeometry.cases=N for more. */
+  private static final int CASES = Integer.getInteger("geometry.cases", 12);
+
+  @ParameterizedTest
+  @EnumSource(OutlineKind.class)
+  void tilesEveryKindOfOutlineForEveryKindOfSites(OutlineKind outlineKind) {
+    Fragmenter fragmenter = new Fragmenter();
+    int broken = 0;
+    for (SiteKind siteKind : SiteKind.values()) {
+      for (int seed = 0; seed < CASES; seed++) {
+        FragmenterCases.Case c = FragmenterCases.make(outlineKind, siteKind, seed);
+        Fragmentation result =
+            fragmenter.fragment(c.outline, c.sites, c.siteCount, c.regions, c.limits);
+        String fault = FragmentationOracle.fault(c.outline, result, c.areaTolerance, seed % 4 == 0);
+        assertNull(fault, () -> outlineKind + " " + siteKind);
+        broken += result.status() == FragmentationStatus.BROKEN ? 1 : 0;
+      }
+    }
+    assertTrue(broken > CASES * SiteKind.values().length / 4, "broken: " + broken);
+  }
+
+  @Test
+  void alignedGridGivesItsSquares() {
+    double[] sites = SiteKind.GRID.make(new java.util.Random(1), 16);
+    Fragmentation result = new Fragmenter().fragment(BOX, sites, 16, EVERYWHERE, PieceLimits.NONE);
+    assertEquals(FragmentationStatus.BROKEN, result.status());
+    assertEquals(16, result.fragments().size());
+    for (Fragment fragment : result.fragments()) {
+      assertEquals(0.25, fragment.outline().area(), 1e-12);
+      assertEquals(4, fragment.outline().vertexCount());
+    }
+  }
+
+  @Test
+  void cellEdgesAlongTheOutlineCutNothing() {
+    // The bisector of these sites is the right side of the box.
+    Fragmentation result =
+        new Fragmenter()
+            .fragment(BOX, new double[] {0.5, 0, 1.5, 0}, 2, EVERYWHERE, PieceLimits.NONE);
+    assertEquals(FragmentationStatus.NOTHING_BREAKS, result.status());
+    assertEquals(1, result.remainders().size());
+  }
+
+  @Test
+  void regionOfEffectLeavesTheRestInOnePiece() {
+    double[] sites = SiteKind.UNIFORM.make(new java.util.Random(3), 200);
+    RegionOfEffect region = new ImpactRegion(-1, 0, 1, 0, 0.4, 0.8);
+    Fragmentation result =
+        new Fragmenter()
+            .fragment(BOX, sites, 200, Collections.singletonList(region), PieceLimits.NONE);
+    assertEquals(FragmentationStatus.BROKEN, result.status());
+    assertEquals(1, result.remainders().size());
+    double broken = 0;
+    for (Fragment fragment : result.fragments()) {
+      broken += fragment.outline().area();
+    }
+    // Half of an ellipse with semi-axes 0.4 and 0.8, give or take half a cell along its border.
+    assertEquals(Math.PI * 0.4 * 0.8 / 2, broken, 0.1);
+    assertEquals(4, broken + result.remainders().get(0).area(), 1e-9);
+  }
+
+  @Test
+  void whatIsHiddenBehindAConcavityStays() {
+    Outline u = Outline.of(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3);
+    double[] sites = new double[2 * 144];
+    for (int i = 0; i < 144; i++) {
+      sites[2 * i] = 0.13 + 0.25 * (i % 12);
+      sites[2 * i + 1] = 0.13 + 0.25 * (i / 12);
+    }
+    // The region reaches the other arm, but not around the notch.
+    RegionOfEffect region = new ImpactRegion(0, 2.5, 1, 0, 1, 4);
+    Fragmentation result =
+        new Fragmenter()
+            .fragment(u, sites, 144, Collections.singletonList(region), PieceLimits.NONE);
+    assertEquals(FragmentationStatus.BROKEN, result.status());
+    for (Fragment fragment : result.fragments()) {
+      assertTrue(fragment.outline().x(0) <= 1, "a fragment of the other arm");
+    }
+  }
+
+  @Test
+  void holeInsideOneCellStaysAHole() {
+    Outline body =
+        Outline.ofRings(
+            new double[] {0, 0, 4, 0, 4, 4, 0, 4}, new double[] {0.5, 1, 1, 1, 1, 2, 0.5, 2});
+    Fragmentation result =
+        new Fragmenter().fragment(body, new double[] {1, 2, 3, 2}, 2, EVERYWHERE, PieceLimits.NONE);
+    assertEquals(2, result.fragments().size());
+    int holes = 0;
+    for (Fragment fragment : result.fragments()) {
+      holes += fragment.outline().ringCount() - 1;
+    }
+    assertEquals(1, holes);
+    assertNull(FragmentationOracle.fault(body, result, 1e-12, true));
+  }
+
+  @Test
+  void smallPiecesAreMergedAndNothingIsLost() {
+    double[] sites = SiteKind.UNIFORM.make(new java.util.Random(3), 500);
+    PieceLimits limits = new PieceLimits(0.005, 0.05);
+    Fragmentation result = new Fragmenter().fragment(BOX, sites, 500, EVERYWHERE, limits);
+    double total = 0;
+    for (Fragment fragment : result.fragments()) {
+      assertTrue(fragment.outline().area() >= 0.005 * 4);
+      total += fragment.outline().area();
+    }
+    assertEquals(4, total, 1e-9);
+  }
+
+  @Test
+  void cutsAlongAPolyline() {
+    Fragmentation result =
+        new Fragmenter().cut(BOX, new double[] {-2, 0, 0, 0.5, 2, 0}, PieceLimits.NONE);
+    assertEquals(2, result.fragments().size());
+    assertNull(FragmentationOracle.fault(BOX, result, 1e-12, true));
+    Fragmentation loop =
+        new Fragmenter()
+            .cut(BOX, new double[] {-0.5, -0.5, 0.5, -0.5, 0, 0.5, -0.5, -0.5}, PieceLimits.NONE);
+    assertEquals(2, loop.fragments().size());
+    assertNull(FragmentationOracle.fault(BOX, loop, 1e-12, true));
+    Fragmentation notch = new Fragmenter().cut(BOX, new double[] {-2, 0, 0, 0}, PieceLimits.NONE);
+    assertEquals(FragmentationStatus.NOTHING_BREAKS, notch.status());
+  }
+
+  @Test
+  void invalidOutlinesAreRefusedWithAReason() {
+    Fragmentation result =
+        new Fragmenter()
+            .fragment(
+                Outline.of(0, 0, 2, 2, 2, 0, 0, 2),
+                new double[] {0, 0, 1, 1},
+                2,
+                EVERYWHERE,
+                PieceLimits.NONE);
+    assertEquals(FragmentationStatus.INVALID_OUTLINE, result.status());
+    assertTrue(result.reason().contains("vertex 0"), result.reason());
+    assertThrows(
+        IllegalArgumentException.class,
+        () ->
+            new Fragmenter()
+                .fragment(BOX, new double[] {0, Double.NaN}, 1, EVERYWHERE, PieceLimits.NONE));
+  }
+
+  @Test
+  void sameInputGivesTheSameResultWhateverRanBefore() {
+    FragmenterCases.Case c = FragmenterCases.make(OutlineKind.RANDOM, SiteKind.UNIFORM, 5);
+    Fragmenter used = new Fragmenter();
+    FragmenterCases.run(used, FragmenterCases.make(OutlineKind.STAR, SiteKind.GRID, 9), false);
+    Fragmentation a = used.fragment(c.outline, c.sites, c.siteCount, c.regions, c.limits);
+    Fragmentation b =
+        new Fragmenter().fragment(c.outline, c.sites, c.siteCount, c.regions, c.limits);
+    assertEquals(a.fragments().size(), b.fragments().size());
+    for (int i = 0; i < a.fragments().size(); i++) {
+      org.junit.jupiter.api.Assertions.assertArrayEquals(
+          a.fragments().get(i).outline().coordinates(),
+          b.fragments().get(i).outline().coordinates());
+    }
+  }
+}
