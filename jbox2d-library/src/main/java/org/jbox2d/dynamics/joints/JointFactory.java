@@ -13,6 +13,12 @@ final class JointFactory {
     switch (def.type) {
       case MOUSE:
         return new MouseJoint(world.getPool(), (MouseJointDef) def);
+      case DISTANCE:
+        return new DistanceJoint(world.getPool(), (DistanceJointDef) def);
+      case ROPE:
+        return new RopeJoint(world.getPool(), (RopeJointDef) def);
+      case REVOLUTE:
+        return new RevoluteJoint(world.getPool(), (RevoluteJointDef) def);
       default:
         throw new IllegalArgumentException("JointDef.type has no joint: " + def.type);
     }

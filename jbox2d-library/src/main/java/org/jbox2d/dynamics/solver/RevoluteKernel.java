@@ -1,0 +1,205 @@
+package org.jbox2d.dynamics.solver;
+
+/**
+ * Pins two points together; the bodies turn about them, within limits and driven by a motor if
+ * wanted.
+ *
+ * <pre>
+ *   point:  C = xB + rB - xA - rA = 0        2 x 2 block, solved at once (see {@link Arms})
+ *   angle:  theta = aB - aA - reference,  thetadot = wB - wA,  K = iA + iB
+ *   motor:  thetadot = speed,             |sum of impulses| &lt;= maxTorque h
+ *   lower:  theta - lower >= 0,           sum >= 0
+ *   upper:  upper - theta >= 0,           sum >= 0
+ * </pre>
+ *
+ * A limit lets the angle come as near as it is within the step, {@code thetadot + (theta - lower) /
+ * h >= 0}, so it is reached and not overshot; a violated one (bodies placed by hand) is mended by
+ * position correction. The point is solved last in each iteration, so that of what does not
+ * converge it has least. Source: Catto, "Modeling and solving constraints", GDC 2009.
+ */
+public final class RevoluteKernel extends JointKernel {
+  /** Length of a row's block. */
+  public static final int FLOATS = Arms.SIZE + 18;
+
+  private static final int REFERENCE = 8;
+  private static final int LIMITED = 9;
+  private static final int LOWER = 10;
+  private static final int UPPER = 11;
+  private static final int DRIVEN = 12;
+  private static final int SPEED = 13;
+  private static final int MAX_TORQUE = 14;
+  // In and out.
+  private static final int IMPULSE_X = 15;
+  private static final int IMPULSE_Y = 16;
+  private static final int MOTOR_IMPULSE = 17;
+  private static final int LOWER_IMPULSE = 18;
+  private static final int UPPER_IMPULSE = 19;
+  // Own.
+  private static final int M11 = 20;
+  private static final int M12 = 21;
+  private static final int M22 = 22;
+  private static final int AXIAL_MASS = 23;
+  private static final int LOWER_ROOM = 24;
+  private static final int UPPER_ROOM = 25;
+
+  RevoluteKernel(int order) {
+    super(order);
+  }
+
+  /** Fills in the angle of a row: rad, rad. */
+  public static void writeLimit(
+      float[] f, int o, float reference, boolean limited, float lower, float upper) {
+    f[o + REFERENCE] = reference;
+    f[o + LIMITED] = limited ? 1f : 0f;
+    f[o + LOWER] = lower;
+    f[o + UPPER] = upper;
+  }
+
+  /** Fills in the motor of a row: rad/s, N m. */
+  public static void writeMotor(float[] f, int o, boolean driven, float speed, float maxTorque) {
+    f[o + DRIVEN] = driven ? 1f : 0f;
+    f[o + SPEED] = speed;
+    f[o + MAX_TORQUE] = maxTorque;
+  }
+
+  /** Fills in the impulses kept from the last step. */
+  public static void writeImpulses(
+      float[] f, int o, float x, float y, float motor, float lower, float upper) {
+    f[o + IMPULSE_X] = x;
+    f[o + IMPULSE_Y] = y;
+    f[o + MOTOR_IMPULSE] = motor;
+    f[o + LOWER_IMPULSE] = lower;
+    f[o + UPPER_IMPULSE] = upper;
+  }
+
+  /** Returns the impulse on body B along x, N s. */
+  public static float impulseX(float[] f, int o) {
+    return f[o + IMPULSE_X];
+  }
+
+  /** Returns the impulse on body B along y, N s. */
+  public static float impulseY(float[] f, int o) {
+    return f[o + IMPULSE_Y];
+  }
+
+  /** Returns the motor's angular impulse on body B, N m s. */
+  public static float motorImpulse(float[] f, int o) {
+    return f[o + MOTOR_IMPULSE];
+  }
+
+  /** Returns the lower limit's angular impulse, N m s, not negative. */
+  public static float lowerImpulse(float[] f, int o) {
+    return f[o + LOWER_IMPULSE];
+  }
+
+  /** Returns the upper limit's angular impulse, N m s, not negative; it acts backwards. */
+  public static float upperImpulse(float[] f, int o) {
+    return f[o + UPPER_IMPULSE];
+  }
+
+  @Override
+  public void prepare(JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
+    float[] f = rows.f;
+    float[] v = bodies.vel;
+    float[] m = bodies.mass;
+    float keep = step.warmStarting ? step.dtRatio : 0f;
+    for (int r = from; r < to; r++) {
+      int o = rows.floatAt[r];
+      int slotA = rows.bodies[rows.bodyAt[r]];
+      int slotB = rows.bodies[rows.bodyAt[r] + 1];
+      int a = SolverBodies.STRIDE * slotA;
+      int b = SolverBodies.STRIDE * slotB;
+      Arms.turn(f, o, bodies.pos, a, b);
+      Arms.invert(f, o, o + M11, m, a, b);
+      float k = m[a + 1] + m[b + 1];
+      f[o + AXIAL_MASS] = k > 0f ? 1f / k : 0f;
+
+      float keepLimit = f[o + LIMITED] * keep;
+      float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
+      f[o + LOWER_ROOM] = Math.max(0f, angle - f[o + LOWER]) * step.invDt;
+      f[o + UPPER_ROOM] = Math.max(0f, f[o + UPPER] - angle) * step.invDt;
+
+      f[o + MOTOR_IMPULSE] *= f[o + DRIVEN] * keep;
+      f[o + LOWER_IMPULSE] *= keepLimit;
+      f[o + UPPER_IMPULSE] *= keepLimit;
+      f[o + IMPULSE_X] *= keep;
+      f[o + IMPULSE_Y] *= keep;
+      float axial = f[o + MOTOR_IMPULSE] + f[o + LOWER_IMPULSE] - f[o + UPPER_IMPULSE];
+      Arms.push(f, o, v, m, a, b, f[o + IMPULSE_X], f[o + IMPULSE_Y], axial);
+    }
+  }
+
+  @Override
+  public void solveVelocity(
+      JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
+    float[] f = rows.f;
+    float[] v = bodies.vel;
+    float[] m = bodies.mass;
+    float h = step.dt;
+    for (int r = from; r < to; r++) {
+      int o = rows.floatAt[r];
+      int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
+      int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
+      if (f[o + DRIVEN] + f[o + LIMITED] > 0f) {
+        float turn = axialImpulse(f, o, v[b + 2] - v[a + 2], m[a + 1] + m[b + 1], h);
+        v[a + 2] -= m[a + 1] * turn;
+        v[b + 2] += m[b + 1] * turn;
+      }
+      float cx = Arms.speedX(f, o, v, a, b) + Arms.bendX(f, o, v, a, b, h, step.invDt);
+      float cy = Arms.speedY(f, o, v, a, b) + Arms.bendY(f, o, v, a, b, h, step.invDt);
+      float px = -(f[o + M11] * cx + f[o + M12] * cy);
+      float py = -(f[o + M12] * cx + f[o + M22] * cy);
+      f[o + IMPULSE_X] += px;
+      f[o + IMPULSE_Y] += py;
+      Arms.push(f, o, v, m, a, b, px, py, 0f);
+    }
+  }
+
+  /** Motor, lower and upper limit in turn; each sees the speed the one before it has left. */
+  private static float axialImpulse(float[] f, int o, float speed, float k, float h) {
+    float mass = f[o + AXIAL_MASS];
+    float turn = 0f;
+    if (f[o + DRIVEN] > 0f) {
+      float most = f[o + MAX_TORQUE] * h;
+      float old = f[o + MOTOR_IMPULSE];
+      float sum = old - mass * (speed - f[o + SPEED]);
+      f[o + MOTOR_IMPULSE] = Math.max(-most, Math.min(most, sum));
+      turn = f[o + MOTOR_IMPULSE] - old;
+    }
+    if (f[o + LIMITED] > 0f) {
+      float old = f[o + LOWER_IMPULSE];
+      float sum = old - mass * (speed + k * turn + f[o + LOWER_ROOM]);
+      f[o + LOWER_IMPULSE] = Math.max(0f, sum);
+      turn += f[o + LOWER_IMPULSE] - old;
+      old = f[o + UPPER_IMPULSE];
+      sum = old - mass * (f[o + UPPER_ROOM] - speed - k * turn);
+      f[o + UPPER_IMPULSE] = Math.max(0f, sum);
+      turn -= f[o + UPPER_IMPULSE] - old;
+    }
+    return turn;
+  }
+
+  @Override
+  public boolean solvePosition(
+      JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
+    float[] f = rows.f;
+    float[] m = bodies.mass;
+    boolean done = true;
+    for (int r = from; r < to; r++) {
+      int o = rows.floatAt[r];
+      int slotA = rows.bodies[rows.bodyAt[r]];
+      int slotB = rows.bodies[rows.bodyAt[r] + 1];
+      if (f[o + LIMITED] > 0f) {
+        float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
+        float c = angle - Math.max(f[o + LOWER], Math.min(f[o + UPPER], angle));
+        float p = -f[o + AXIAL_MASS] * c * Arms.share(Math.abs(c), step.maxAngularCorrection);
+        Arms.move(bodies, slotA, 0f, 0f, -m[SolverBodies.STRIDE * slotA + 1] * p);
+        Arms.move(bodies, slotB, 0f, 0f, m[SolverBodies.STRIDE * slotB + 1] * p);
+        done &= Math.abs(c) <= step.angularSlop;
+      }
+      float error = Arms.join(f, o, o + M11, bodies, slotA, slotB, step.maxLinearCorrection);
+      done &= error <= step.linearSlop;
+    }
+    return done;
+  }
+}
