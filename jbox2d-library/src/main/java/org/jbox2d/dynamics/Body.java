@@ -156,7 +156,7 @@ public class Body {
    *     changed then
    */
   public final Fixture createFixture(FixtureDef def) {
-    m_world.checkUnlocked("createFixture");
+    checkChangeable("createFixture");
     Checks.notNull(def, "def");
     def.check();
     Checks.shape(def.shape, "FixtureDef.shape");
@@ -185,12 +185,15 @@ public class Body {
    * @throws IllegalArgumentException if a value is not allowed; nothing has changed then
    */
   public final List<Fixture> createFixture(FixtureDef def, CompoundShape compound) {
-    m_world.checkUnlocked("createFixture");
+    checkChangeable("createFixture");
     Checks.notNull(def, "def");
     Checks.notNull(compound, "compound");
     def.check();
     Shape[] parts = compound.getParts();
     Checks.notNull(parts, "CompoundShape.getParts()");
+    if (parts.length == 0) {
+      throw new IllegalArgumentException("CompoundShape.getParts() is empty");
+    }
     for (int i = 0; i < parts.length; i++) {
       Checks.shape(parts[i], "CompoundShape.getParts()[" + i + "]");
     }
@@ -229,10 +232,15 @@ public class Body {
    * @throws IllegalArgumentException if the fixture is not of this body
    */
   public final void destroyFixture(Fixture fixture) {
-    m_world.checkUnlocked("destroyFixture");
     Checks.notNull(fixture, "fixture");
     if (fixture.m_body != this) {
-      throw new IllegalArgumentException("fixture is not of this body");
+      throw new IllegalArgumentException("fixture is not of this body, or was destroyed before");
+    }
+    checkChangeable("destroyFixture");
+    // Contacts first: they call the listener, which may throw, or destroy the fixture itself.
+    destroyContactsOf(fixture);
+    if (fixture.m_body != this) {
+      return;
     }
     Fixture before = null;
     Fixture f = m_fixtureList;
@@ -245,7 +253,6 @@ public class Body {
     } else {
       before.m_next = fixture.m_next;
     }
-    destroyContactsOf(fixture);
     if (isActive()) {
       fixture.destroyProxies(m_world.m_contactManager.m_broadPhase);
     }
@@ -253,6 +260,14 @@ public class Body {
     fixture.m_body = null;
     m_fixtureCount--;
     resetMassData();
+  }
+
+  /** Throws if the body is of no world any more, or the world is locked. */
+  private void checkChangeable(String call) {
+    if (m_world == null) {
+      throw new IllegalStateException(call + " on a body that was destroyed");
+    }
+    m_world.checkUnlocked(call);
   }
 
   private void destroyContactsOf(Fixture fixture) {
@@ -270,14 +285,18 @@ public class Body {
   // -------------------------------------------------------------------------------------------------------------
 
   /**
-   * Puts the body's origin somewhere. Contacts are found anew in the next step.
+   * Puts the body's origin somewhere. Contacts are found anew in the next step; bodies that touched
+   * this one wake if it moves.
    *
    * @throws IllegalStateException if the world is locked
    */
   public final void setTransform(Vec2 position, float angle) {
-    m_world.checkUnlocked("setTransform");
+    checkChangeable("setTransform");
     Checks.finite(position, "position");
     Checks.finite(angle, "angle");
+    if (m_xf.p.x != position.x || m_xf.p.y != position.y || m_sweep.a != angle) {
+      disturbContacts(null);
+    }
     m_xf.set(position, angle);
     Transform.mulToOutUnsafe(m_xf, m_sweep.localCenter, m_sweep.c);
     m_sweep.a = angle;
@@ -289,6 +308,24 @@ public class Body {
       f.synchronize(broadPhase, m_xf, m_xf);
     }
     m_world.lookForPairs();
+  }
+
+  /**
+   * Has contacts looked at in the next step though nobody in them may be awake, and wakes the
+   * bodies that touch.
+   *
+   * @param fixture whose contacts; {@code null}: all of the body's
+   */
+  void disturbContacts(Fixture fixture) {
+    for (ContactEdge edge = m_contactList; edge != null; edge = edge.next) {
+      Contact c = edge.contact;
+      if (fixture == null || c.m_fixtureA == fixture || c.m_fixtureB == fixture) {
+        m_world.m_contactManager.activateStray(c);
+        if (c.isTouching() && !c.m_fixtureA.m_isSensor && !c.m_fixtureB.m_isSensor) {
+          edge.other.setAwake(true);
+        }
+      }
+    }
   }
 
   /** Returns the transform of the body's origin, the same object each time. */
@@ -353,11 +390,14 @@ public class Body {
     return m_angularVelocity;
   }
 
-  /** Applies a force, N, at a world point, for the next step; wakes the body. */
+  /**
+   * Applies a force, N, at a world point, for the next step; wakes the body. No effect on bodies
+   * that are inactive or not dynamic.
+   */
   public final void applyForce(Vec2 force, Vec2 point) {
     Checks.finite(force, "force");
     Checks.finite(point, "point");
-    if (m_type != BodyType.DYNAMIC) {
+    if (!takesForces()) {
       return;
     }
     setAwake(true);
@@ -366,10 +406,10 @@ public class Body {
     m_torque += (point.x - m_sweep.c.x) * force.y - (point.y - m_sweep.c.y) * force.x;
   }
 
-  /** Applies a force, N, at the centre of mass, for the next step; wakes the body. */
+  /** As {@link #applyForce}, at the centre of mass. */
   public final void applyForceToCenter(Vec2 force) {
     Checks.finite(force, "force");
-    if (m_type != BodyType.DYNAMIC) {
+    if (!takesForces()) {
       return;
     }
     setAwake(true);
@@ -377,14 +417,22 @@ public class Body {
     m_force.y += force.y;
   }
 
-  /** Applies a torque, N m, for the next step; wakes the body. */
+  /**
+   * Applies a torque, N m, for the next step; wakes the body. No effect on bodies that are inactive
+   * or not dynamic.
+   */
   public final void applyTorque(float torque) {
     Checks.finite(torque, "torque");
-    if (m_type != BodyType.DYNAMIC) {
+    if (!takesForces()) {
       return;
     }
     setAwake(true);
     m_torque += torque;
+  }
+
+  /** Only awake bodies' forces are cleared by a step; so no other body may gather any. */
+  private boolean takesForces() {
+    return m_type == BodyType.DYNAMIC && isActive();
   }
 
   /** Applies an impulse, N s, at a world point, at once; wakes the body. */
@@ -455,7 +503,7 @@ public class Body {
    *     at its centre has
    */
   public final void setMassData(MassData massData) {
-    m_world.checkUnlocked("setMassData");
+    checkChangeable("setMassData");
     Checks.notNull(massData, "massData");
     Checks.finite(massData.mass, "massData.mass");
     Checks.finite(massData.I, "massData.I");
@@ -679,7 +727,7 @@ public class Body {
    * @throws IllegalStateException if the world is locked
    */
   public void setType(BodyType type) {
-    m_world.checkUnlocked("setType");
+    checkChangeable("setType");
     Checks.notNull(type, "type");
     if (m_type == type) {
       return;
@@ -700,6 +748,11 @@ public class Body {
     m_flags |= e_awakeFlag;
     m_sleepTime = 0f;
     m_world.enterAwakeSet(this);
+    touchProxies();
+  }
+
+  /** Lets the next step pair this body's proxies as if they were new. */
+  void touchProxies() {
     BroadPhase broadPhase = m_world.m_contactManager.m_broadPhase;
     for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
       for (int i = 0; i < f.m_proxyCount; i++) {
@@ -741,7 +794,7 @@ public class Body {
         m_flags |= e_awakeFlag;
         m_sleepTime = 0f;
       }
-      if (awakeIndex < 0) {
+      if (awakeIndex < 0 && m_world != null) {
         m_world.enterAwakeSet(this);
       }
     } else {
@@ -751,7 +804,9 @@ public class Body {
       m_angularVelocity = 0f;
       m_force.setZero();
       m_torque = 0f;
-      m_world.leaveAwakeSet(this);
+      if (awakeIndex >= 0) {
+        m_world.leaveAwakeSet(this);
+      }
     }
   }
 
@@ -767,7 +822,7 @@ public class Body {
    * @throws IllegalStateException if the world is locked
    */
   public void setActive(boolean flag) {
-    m_world.checkUnlocked("setActive");
+    checkChangeable("setActive");
     if (flag == isActive()) {
       return;
     }
@@ -783,6 +838,8 @@ public class Body {
       m_world.lookForPairs();
     } else {
       m_flags &= ~e_activeFlag;
+      m_force.setZero();
+      m_torque = 0f;
       destroyContactsOf(null);
       for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
         f.destroyProxies(broadPhase);

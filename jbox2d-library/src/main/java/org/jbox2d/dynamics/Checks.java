@@ -1,5 +1,6 @@
 package org.jbox2d.dynamics;
 
+import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.shapes.ChainShape;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.collision.shapes.EdgeShape;
@@ -39,6 +40,19 @@ final class Checks {
     }
   }
 
+  /** Bounds may be infinite, which means that all lies within. */
+  static void bounds(AABB value, String name) {
+    notNull(value, name);
+    float sum =
+        Math.abs(value.lowerBound.x)
+            + Math.abs(value.lowerBound.y)
+            + Math.abs(value.upperBound.x)
+            + Math.abs(value.upperBound.y);
+    if (Float.isNaN(sum)) {
+      throw new IllegalArgumentException(name + " must not be NaN, is " + value);
+    }
+  }
+
   static void shape(Shape shape, String name) {
     notNull(shape, name);
     notNegative(shape.m_radius, name + ".m_radius");
@@ -51,8 +65,7 @@ final class Checks {
         finite(((CircleShape) shape).m_p, name + ".m_p");
         break;
       case EDGE:
-        finite(((EdgeShape) shape).m_vertex1, name + ".m_vertex1");
-        finite(((EdgeShape) shape).m_vertex2, name + ".m_vertex2");
+        edge((EdgeShape) shape, name);
         break;
       case POLYGON:
         PolygonShape polygon = (PolygonShape) shape;
@@ -64,6 +77,17 @@ final class Checks {
         break;
       default:
         throw new IllegalArgumentException(name + " has an unknown type " + shape.m_type);
+    }
+  }
+
+  private static void edge(EdgeShape edge, String name) {
+    finite(edge.m_vertex1, name + ".m_vertex1");
+    finite(edge.m_vertex2, name + ".m_vertex2");
+    if (edge.m_hasVertex0) {
+      finite(edge.m_vertex0, name + ".m_vertex0");
+    }
+    if (edge.m_hasVertex3) {
+      finite(edge.m_vertex3, name + ".m_vertex3");
     }
   }
 

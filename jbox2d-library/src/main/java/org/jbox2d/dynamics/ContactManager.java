@@ -37,6 +37,9 @@ public class ContactManager implements PairCallback {
   Contact[] active = new Contact[64];
   int activeCount;
 
+  /** Whether {@link #active} may hold contacts without an awake body. */
+  boolean strays;
+
   private final World world;
   private final LongHashSet pairs = new LongHashSet();
   private Contact free;
@@ -97,6 +100,8 @@ public class ContactManager implements PairCallback {
     link(c, c.m_nodeB, bodyB, bodyA);
     if (bodyA.awakeIndex >= 0 || bodyB.awakeIndex >= 0) {
       activate(c);
+    } else {
+      activateStray(c);
     }
   }
 
@@ -129,13 +134,18 @@ public class ContactManager implements PairCallback {
 
   /**
    * Takes a contact out of everything, tells the listener if it touched, and keeps it for later
-   * use.
+   * use. Outside a step the listener may destroy the fixtures itself.
    */
   public void destroy(Contact c) {
     Fixture fixtureA = c.m_fixtureA;
     Fixture fixtureB = c.m_fixtureB;
     if (m_contactListener != null && c.isTouching()) {
+      // No longer touching while the listener hears of it, so that it hears but once.
+      c.m_flags &= ~Contact.TOUCHING_FLAG;
       m_contactListener.endContact(c);
+      if (c.m_fixtureA != fixtureA) {
+        return;
+      }
     }
     if (c.m_manifold.pointCount > 0 && !fixtureA.m_isSensor && !fixtureB.m_isSensor) {
       fixtureA.m_body.setAwake(true);
@@ -173,6 +183,34 @@ public class ContactManager implements PairCallback {
         destroy(c);
       }
     }
+    if (strays) {
+      dropStrays();
+    }
+  }
+
+  private void dropStrays() {
+    strays = false;
+    for (int i = activeCount - 1; i >= 0; i--) {
+      Contact c = active[i];
+      if (c.m_fixtureA.m_body.awakeIndex < 0 && c.m_fixtureB.m_body.awakeIndex < 0) {
+        deactivate(c);
+      }
+    }
+  }
+
+  /** Both bodies sleep: the contact need not be looked at, unless it is still to be filtered. */
+  void letRest(Contact c) {
+    if ((c.m_flags & Contact.FILTER_FLAG) != 0) {
+      strays = true;
+    } else {
+      deactivate(c);
+    }
+  }
+
+  /** Has a contact looked at in the next step, even if neither body is awake by then. */
+  void activateStray(Contact c) {
+    activate(c);
+    strays = true;
   }
 
   private boolean mayPersist(Contact c) {

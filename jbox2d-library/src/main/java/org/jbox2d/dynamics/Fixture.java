@@ -101,10 +101,13 @@ public class Fixture {
     return m_isSensor;
   }
 
-  /** Makes the fixture a sensor or not; wakes the body. */
+  /** Makes the fixture a sensor or not; wakes the body, and those that touch the fixture. */
   public void setSensor(boolean sensor) {
     if (sensor != m_isSensor) {
-      m_body.setAwake(true);
+      if (m_body != null) {
+        m_body.setAwake(true);
+        m_body.disturbContacts(this);
+      }
       m_isSensor = sensor;
     }
   }
@@ -123,7 +126,7 @@ public class Fixture {
 
   /** Filters existing contacts anew before the next step, and looks for new ones. */
   public void refilter() {
-    if (m_body == null) {
+    if (m_body == null || m_body.getWorld() == null) {
       return;
     }
     for (ContactEdge edge = m_body.getContactList(); edge != null; edge = edge.next) {

@@ -289,10 +289,17 @@ public class World {
       if (destructionListener != null) {
         destructionListener.sayGoodbye(f);
       }
+      if (body.m_fixtureList != f) {
+        continue;
+      }
       body.m_fixtureList = f.m_next;
       body.m_fixtureCount--;
       f.destroyProxies(m_contactManager.m_broadPhase);
       f.destroy();
+    }
+    if (body.m_world == null) {
+      // A listener destroyed it meanwhile.
+      return;
     }
     awake.remove(body);
     if (body.m_prev != null) {
@@ -377,7 +384,7 @@ public class World {
 
   /** A contact between sleeping bodies must be looked at in the next step. */
   void wakeForFiltering(Contact contact) {
-    m_contactManager.activate(contact);
+    m_contactManager.activateStray(contact);
   }
 
   /**
@@ -415,7 +422,9 @@ public class World {
     Joint.destroy(joint);
     jointCount--;
     if (!joint.getCollideConnected()) {
-      flagContactsBetween(a, b);
+      // Their bounds may overlap already, and must be met as if new.
+      a.touchProxies();
+      b.touchProxies();
     }
   }
 
@@ -467,7 +476,7 @@ public class World {
     awake.remove(b);
     for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
       if (edge.other.awakeIndex < 0) {
-        m_contactManager.deactivate(edge.contact);
+        m_contactManager.letRest(edge.contact);
       }
     }
   }
@@ -483,10 +492,12 @@ public class World {
   /**
    * Reports every fixture whose bounds overlap {@code aabb}; a fixture with several children may be
    * reported for each.
+   *
+   * @throws IllegalArgumentException if a bound is NaN
    */
   public void queryAABB(QueryCallback callback, AABB aabb) {
     Checks.notNull(callback, "callback");
-    Checks.notNull(aabb, "aabb");
+    Checks.bounds(aabb, "aabb");
     BroadPhase broadPhase = m_contactManager.m_broadPhase;
     broadPhase.query(
         proxyId -> callback.reportFixture(((FixtureProxy) broadPhase.getUserData(proxyId)).fixture),

@@ -4,7 +4,7 @@ import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.Manifold;
 import org.jbox2d.collision.ManifoldPoint;
 import org.jbox2d.collision.WorldManifold;
-import org.jbox2d.common.MathUtils;
+import org.jbox2d.common.Settings;
 import org.jbox2d.common.Transform;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.Fixture;
@@ -182,6 +182,10 @@ public abstract class Contact {
 
   /** Overrides the friction until the fixtures' own is mixed again. */
   public void setFriction(float friction) {
+    if (!(friction >= 0f) || Float.isInfinite(friction)) {
+      throw new IllegalArgumentException(
+          "friction must be finite and not negative, is " + friction);
+    }
     m_friction = friction;
   }
 
@@ -197,6 +201,10 @@ public abstract class Contact {
 
   /** Overrides the restitution until the fixtures' own is mixed again. */
   public void setRestitution(float restitution) {
+    if (!(restitution >= 0f) || Float.isInfinite(restitution)) {
+      throw new IllegalArgumentException(
+          "restitution must be finite and not negative, is " + restitution);
+    }
     m_restitution = restitution;
   }
 
@@ -212,6 +220,9 @@ public abstract class Contact {
 
   /** Sets the tangent speed, m/s, as of a conveyor belt. */
   public void setTangentSpeed(float speed) {
+    if (!Float.isFinite(speed)) {
+      throw new IllegalArgumentException("speed must be finite, is " + speed);
+    }
     m_tangentSpeed = speed;
   }
 
@@ -244,6 +255,9 @@ public abstract class Contact {
     }
     if (touching && !sensor && listener != null) {
       listener.preSolve(this, oldManifold);
+      if (!isEnabled()) {
+        m_lastImpulse = 0f;
+      }
     }
   }
 
@@ -332,7 +346,7 @@ public abstract class Contact {
    * Friction of two surfaces: the geometric mean, so that one without friction lets anything slide.
    */
   public static final float mixFriction(float friction1, float friction2) {
-    return MathUtils.sqrt(friction1 * friction2);
+    return Settings.mixFriction(friction1, friction2);
   }
 
   /** Restitution of two surfaces: the larger one, so that a ball bounces off anything. */

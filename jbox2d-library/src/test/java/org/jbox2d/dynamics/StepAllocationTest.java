@@ -1,0 +1,88 @@
+package org.jbox2d.dynamics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.joints.MouseJoint;
+import org.jbox2d.dynamics.joints.MouseJointDef;
+import org.junit.jupiter.api.Test;
+
+/** A warm step of a scene without births and deaths allocates nothing. */
+class StepAllocationTest {
+  private static final int ROUND = 20;
+
+  private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+  @Test
+  void pyramid() {
+    World world = Make.pyramid(15);
+    world.setSleepingAllowed(false);
+    assertNoneAllocated(world, 200, 10);
+  }
+
+  @Test
+  void pileOfDebris() {
+    World world = Make.debris(150, 9);
+    world.setSleepingAllowed(false);
+    assertNoneAllocated(world, 600, 10);
+  }
+
+  @Test
+  void pileOfDebrisThatHearsAndIsPulledAt() {
+    World world = Make.debris(150, 9);
+    world.setContactListener(new CollisionResponseTest.QuietListener());
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      b.getFixtureList().setMaterial((fixture, solved) -> solved.normalImpulse());
+    }
+    MouseJointDef def = new MouseJointDef();
+    Body body = world.getBodyList();
+    def.bodyA = body.getNext();
+    def.bodyB = body;
+    def.target.set(body.getPosition());
+    def.maxForce = 100f;
+    MouseJoint joint = (MouseJoint) world.createJoint(def);
+    joint.setTarget(new Vec2(0f, 20f));
+    assertNoneAllocated(world, 600, 10);
+  }
+
+  /** It keeps churning, so now and then an array still grows: the best of many rounds counts. */
+  @Test
+  void tumbler() {
+    World world = Make.tumbler(100);
+    assertNoneAllocated(world, 1200, 30);
+  }
+
+  @Test
+  void bodiesThatMeetAndPart() {
+    World world = Make.world();
+    Make.ground(world);
+    for (int i = 0; i < 40; i++) {
+      Body ball = Make.disc(world, 0.7f * i, 3f + 0.1f * i, 0.3f);
+      Make.surface(ball, 0f, 1f);
+    }
+    assertNoneAllocated(world, 600, 30);
+  }
+
+  @Test
+  void sleepers() {
+    World world = Make.pyramid(10);
+    Make.steps(world, 400);
+    assertEquals(0, world.awake.count);
+    assertNoneAllocated(world, 50, 10);
+  }
+
+  private void assertNoneAllocated(World world, int warmUp, int rounds) {
+    Make.steps(world, warmUp);
+    long fewest = Long.MAX_VALUE;
+    for (int round = 0; round < rounds; round++) {
+      long before = threads.getCurrentThreadAllocatedBytes();
+      Make.steps(world, ROUND);
+      fewest = Math.min(fewest, threads.getCurrentThreadAllocatedBytes() - before);
+    }
+    assertEquals(0, fewest, "bytes in " + ROUND + " steps");
+    assertTrue(world.getContactCount() > 0);
+  }
+}
