@@ -114,6 +114,15 @@ public class Body {
   /** The step in which {@link #m_islandIndex} was given to a body that does not move. */
   long slotStamp;
 
+  /** See {@link BodyExtents}; the thickness is negative when they have to be computed anew. */
+  float thickness = -1f;
+
+  /** See {@link #thickness}. */
+  float reach;
+
+  /** How many impacts the continuous phase has handled for this body in the current step. */
+  int impacts;
+
   /** Made by {@link World#createBody}. */
   public Body(BodyDef bd, World world) {
     m_type = bd.type;
@@ -221,6 +230,7 @@ public class Body {
     fixture.m_next = m_fixtureList;
     m_fixtureList = fixture;
     m_fixtureCount++;
+    thickness = -1f;
     m_world.lookForPairs();
     return fixture;
   }
@@ -569,6 +579,7 @@ public class Body {
   }
 
   private void setMass(float mass, float inertia) {
+    thickness = -1f;
     m_mass = mass;
     m_invMass = mass > 0f ? 1f / mass : 0f;
     m_I = inertia;
@@ -943,6 +954,13 @@ public class Body {
     Vec2 local = m_sweep.localCenter;
     m_xf.p.x = m_sweep.c.x - q.c * local.x + q.s * local.y;
     m_xf.p.y = m_sweep.c.y - q.s * local.x - q.c * local.y;
+  }
+
+  /** Forgets the motion of an earlier step. */
+  final void standStill() {
+    m_sweep.c0.set(m_sweep.c);
+    m_sweep.a0 = m_sweep.a;
+    m_sweep.alpha0 = 0f;
   }
 
   /**

@@ -83,6 +83,36 @@ public class ContactManager implements PairCallback {
     }
   }
 
+  /**
+   * Returns the contact of two proxies, which is made if there is none yet; {@code null} if they
+   * must not collide.
+   */
+  Contact contactOf(FixtureProxy p, FixtureProxy q) {
+    if (pairs.contains(key(p, q))) {
+      return find(p, q);
+    }
+    int before = m_contactCount;
+    // In the order of the broad phase, so that it does not matter who asks.
+    boolean inOrder = p.proxyId < q.proxyId;
+    addPair(inOrder ? p : q, inOrder ? q : p);
+    return m_contactCount > before ? m_contactList : null;
+  }
+
+  private static Contact find(FixtureProxy p, FixtureProxy q) {
+    ContactEdge edge = p.fixture.m_body.m_contactList;
+    while (edge != null && !joins(edge.contact, p, q) && !joins(edge.contact, q, p)) {
+      edge = edge.next;
+    }
+    return edge == null ? null : edge.contact;
+  }
+
+  private static boolean joins(Contact c, FixtureProxy a, FixtureProxy b) {
+    return c.m_fixtureA == a.fixture
+        && c.m_fixtureB == b.fixture
+        && c.m_indexA == a.childIndex
+        && c.m_indexB == b.childIndex;
+  }
+
   private void create(FixtureProxy proxyA, FixtureProxy proxyB) {
     Contact c = pop();
     c.init(proxyA.fixture, proxyA.childIndex, proxyB.fixture, proxyB.childIndex);

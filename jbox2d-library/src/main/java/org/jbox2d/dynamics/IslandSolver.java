@@ -33,7 +33,7 @@ final class IslandSolver {
 
   IslandSolver(World world) {
     this.world = world;
-    report = new SolvedContactReport(constraints, bodies);
+    report = new SolvedContactReport(constraints, bodies, false);
   }
 
   void solve(StepConfig step, Profile profile) {
@@ -51,7 +51,8 @@ final class IslandSolver {
     solvePositions(step, profile);
     profile.solvePosition.accumElapsed();
     scatter(step);
-    report.send(islands, world.m_contactManager.m_contactListener, step);
+    report.send(
+        islands.contacts, islands.contactCount, world.m_contactManager.m_contactListener, step);
     islands.release();
   }
 
@@ -174,6 +175,7 @@ final class IslandSolver {
     for (int k = 0; k < islands.count; k++) {
       if (c[k] < c[k + 1] || j[k] < j[k + 1]) {
         solver.prepare(c[k], c[k + 1], j[k], j[k + 1], step);
+        BounceTiming.correct(constraints, islands.contacts, c[k], c[k + 1], 0f, step);
         solver.solveVelocities(c[k], c[k + 1], j[k], j[k + 1], step);
       }
     }

@@ -45,6 +45,9 @@ public class Profile extends ProfileTimes {
    */
   public int cappedVelocities;
 
+  /** How many impacts the continuous phase of the last step handled. */
+  public int impacts;
+
   /** Nothing measured yet. */
   public Profile() {}
 
@@ -66,6 +69,7 @@ public class Profile extends ProfileTimes {
   /** Starts a step: entries that are summed up over it begin at 0. */
   void begin() {
     cappedVelocities = 0;
+    impacts = 0;
     step.start();
   }
 

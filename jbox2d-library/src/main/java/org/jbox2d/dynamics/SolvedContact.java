@@ -31,7 +31,7 @@ public final class SolvedContact {
 
   /**
    * Sum of the normal impulses of this contact in the step before, scaled to this step's length, N
-   * s; 0 for a new contact.
+   * s; 0 for a new contact and for an impact within a step.
    */
   public float previousNormalImpulse;
 
@@ -50,10 +50,13 @@ public final class SolvedContact {
   /** Angular velocity of body B before contacts were solved, rad/s. */
   public float angularVelocityB;
 
-  /** What gravity and forces added to the velocity of body A in this step, m/s. */
+  /**
+   * What gravity and forces added to the velocity of body A in this step, m/s; 0 for an impact
+   * within a step, which comes after the whole step has been solved.
+   */
   public final Vec2 gainA = new Vec2();
 
-  /** What gravity and forces added to the velocity of body B in this step, m/s. */
+  /** See {@link #gainA}. */
   public final Vec2 gainB = new Vec2();
 
   /** Length of the step, s. */

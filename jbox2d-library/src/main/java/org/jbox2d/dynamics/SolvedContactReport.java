@@ -24,9 +24,18 @@ final class SolvedContactReport {
   /** Velocities before contacts were solved, laid out as {@link SolverBodies#vel}. */
   private float[] before = new float[0];
 
-  SolvedContactReport(ContactConstraints constraints, SolverBodies bodies) {
+  /** Whether impacts within a step are reported, rather than the contacts of a whole step. */
+  private final boolean impacts;
+
+  /**
+   * A report of contacts solved in a whole step, or of impacts within one. An impact carries no
+   * resting load: nothing is taken from, or kept for, the load of the whole step, and the
+   * velocities before it have gained nothing since. Its report is sent before the bodies move on.
+   */
+  SolvedContactReport(ContactConstraints constraints, SolverBodies bodies, boolean impacts) {
     this.constraints = constraints;
     this.bodies = bodies;
+    this.impacts = impacts;
   }
 
   /** Keeps the velocities as they are now: forces applied, contacts not yet solved. */
@@ -38,9 +47,10 @@ final class SolvedContactReport {
     System.arraycopy(bodies.vel, 0, before, 0, n);
   }
 
-  void send(Islands islands, ContactListener listener, StepConfig step) {
-    for (int i = 0; i < islands.contactCount; i++) {
-      Contact c = islands.contacts[i];
+  /** Reports the first {@code n} contacts, which are those of the constraints. */
+  void send(Contact[] contacts, int n, ContactListener listener, StepConfig step) {
+    for (int i = 0; i < n; i++) {
+      Contact c = contacts[i];
       Fixture a = c.m_fixtureA;
       Fixture b = c.m_fixtureB;
       if (listener != null) {
@@ -56,7 +66,9 @@ final class SolvedContactReport {
         if (materialB != null) {
           materialB.contactSolved(b, solved);
         }
-        c.m_lastImpulse = solved.normalImpulse();
+        if (!impacts) {
+          c.m_lastImpulse = solved.normalImpulse();
+        }
       }
     }
     solved.contact = null;
@@ -83,6 +95,8 @@ final class SolvedContactReport {
     solved.pointCount = constraints.pointCount[i];
     float nx = d[o + NX];
     float ny = d[o + NY];
+    float centreX = impacts ? bodies.pos[oA] : bodyA.m_sweep.c0.x;
+    float centreY = impacts ? bodies.pos[oA + 1] : bodyA.m_sweep.c0.y;
     solved.normal.set(nx, ny);
     for (int j = 0; j < solved.pointCount; j++) {
       int k = o + POINT + POINT_STRIDE * j;
@@ -92,18 +106,21 @@ final class SolvedContactReport {
       // x t)).
       float alongTangent = d[k + RN_A];
       float alongNormal = -d[k + RT_A];
-      Vec2 centre = bodyA.m_sweep.c0;
       solved.points[j].set(
-          centre.x + alongTangent * ny + alongNormal * nx,
-          centre.y - alongTangent * nx + alongNormal * ny);
+          centreX + alongTangent * ny + alongNormal * nx,
+          centreY - alongTangent * nx + alongNormal * ny);
     }
-    solved.previousNormalImpulse = c.m_lastImpulse * step.dtRatio;
+    solved.previousNormalImpulse = impacts ? 0f : c.m_lastImpulse * step.dtRatio;
     solved.velocityA.set(before[oA], before[oA + 1]);
     solved.angularVelocityA = before[oA + 2];
     solved.velocityB.set(before[oB], before[oB + 1]);
     solved.angularVelocityB = before[oB + 2];
-    gain(bodyA, step, solved.gainA);
-    gain(c.m_fixtureB.m_body, step, solved.gainB);
+    solved.gainA.setZero();
+    solved.gainB.setZero();
+    if (!impacts) {
+      gain(bodyA, step, solved.gainA);
+      gain(c.m_fixtureB.m_body, step, solved.gainB);
+    }
   }
 
   private static void gain(Body b, StepConfig step, Vec2 out) {

@@ -436,6 +436,9 @@ public class World {
     if (b.m_type == BodyType.STATIC || !b.isActive() || !b.isAwake() || b.m_world == null) {
       return;
     }
+    if (b.awakeIndex < 0) {
+      b.standStill();
+    }
     awake.add(b);
     for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
       m_contactManager.activate(edge.contact);

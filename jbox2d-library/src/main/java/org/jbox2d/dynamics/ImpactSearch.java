@@ -1,0 +1,253 @@
+package org.jbox2d.dynamics;
+
+import java.util.Arrays;
+import org.jbox2d.callbacks.TreeCallback;
+import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.TimeOfImpact;
+import org.jbox2d.collision.TimeOfImpact.TOIInput;
+import org.jbox2d.collision.TimeOfImpact.TOIOutput;
+import org.jbox2d.collision.TimeOfImpact.TOIOutputState;
+import org.jbox2d.collision.broadphase.BroadPhase;
+import org.jbox2d.common.Sweep;
+import org.jbox2d.common.Transform;
+import org.jbox2d.dynamics.contacts.Contact;
+import org.jbox2d.dynamics.contacts.ContactEdge;
+import org.jbox2d.dynamics.contacts.ShapeContact;
+
+/**
+ * Finds what a body hits first on the rest of its way through the step.
+ *
+ * <p>Of a body that has moved no farther than the margin of the boxes in the broad phase, all that
+ * it can have met has a contact with it; those contacts are the candidates. For a body that has
+ * moved farther the broad phase is asked once, with the bounds of its whole way.
+ */
+final class ImpactSearch implements TreeCallback {
+  /** The contact of the first impact; {@code null} if the search could only say how far is safe. */
+  Contact contact;
+
+  /** The body that is hit. */
+  Body other;
+
+  /** The child of the searched body's fixture that hits. */
+  FixtureProxy mine;
+
+  /** The child of the other body's fixture that is hit. */
+  FixtureProxy theirs;
+
+  /** When, as a fraction of the searched body's rest of its way. */
+  float time;
+
+  private final ContactManager contacts;
+  private final TimeOfImpact timeOfImpact = new TimeOfImpact();
+  private final TOIInput input = new TOIInput();
+  private final TOIOutput output = new TOIOutput();
+  private final Transform start = new Transform();
+  private final AABB box = new AABB();
+  private final AABB way = new AABB();
+  private final AABB end = new AABB();
+
+  private Contact[] ignored = new Contact[8];
+  private int ignoredCount;
+  private FixtureProxy[] found = new FixtureProxy[32];
+  private int foundCount;
+
+  ImpactSearch(ContactManager contacts) {
+    this.contacts = contacts;
+  }
+
+  /** Forgets which contacts are to be ignored. */
+  void reset() {
+    Arrays.fill(ignored, 0, ignoredCount, null);
+    ignoredCount = 0;
+    contact = null;
+    other = null;
+    mine = null;
+    theirs = null;
+  }
+
+  /** Lets the searched body pass where this contact is concerned, until the next reset. */
+  void ignore(Contact c) {
+    if (ignoredCount == ignored.length) {
+      ignored = Arrays.copyOf(ignored, 2 * ignoredCount);
+    }
+    ignored[ignoredCount++] = c;
+  }
+
+  /**
+   * Searches the rest of the way of a body.
+   *
+   * @param far whether to ask the broad phase rather than to look at the body's contacts
+   * @param resting whether contacts that touch already are candidates
+   * @return whether there is an impact; the fields describe the first one
+   */
+  boolean find(Body b, boolean far, boolean resting) {
+    contact = null;
+    other = null;
+    time = 1f;
+    input.sweepB.set(b.m_sweep);
+    if (far) {
+      searchTree(b);
+    } else {
+      searchContacts(b, resting);
+    }
+    return other != null;
+  }
+
+  private void searchContacts(Body b, boolean resting) {
+    ContactEdge edge = b.m_contactList;
+    for (; edge != null; edge = edge.next) {
+      Contact c = edge.contact;
+      Body o = edge.other;
+      if (!resting && c.isTouching() || !mayHit(b, o)) {
+        continue;
+      }
+      FixtureProxy a = c.m_fixtureA.m_proxies[c.m_indexA];
+      FixtureProxy z = c.m_fixtureB.m_proxies[c.m_indexB];
+      if (c.m_fixtureA.m_body == b) {
+        test(b, a, o, z);
+      } else {
+        test(b, z, o, a);
+      }
+    }
+  }
+
+  private void searchTree(Body b) {
+    collect(b);
+    for (Fixture f = b.m_fixtureList; f != null; f = f.m_next) {
+      for (int i = 0; i < f.m_proxyCount && !f.m_isSensor; i++) {
+        FixtureProxy p = f.m_proxies[i];
+        boundsOfWay(b, p, way);
+        for (int k = 0; k < foundCount; k++) {
+          FixtureProxy q = found[k];
+          // The box of what moves is that of the end of its way, so only a still one can be
+          // excluded by it.
+          if (q.fixture.m_body.m_type != BodyType.STATIC || AABB.testOverlap(way, q.aabb)) {
+            test(b, p, q.fixture.m_body, q);
+          }
+        }
+      }
+    }
+    Arrays.fill(found, 0, foundCount, null);
+    foundCount = 0;
+  }
+
+  private void collect(Body b) {
+    foundCount = 0;
+    boundsOfWay(b, box);
+    contacts.m_broadPhase.query(this, box);
+    int kept = 0;
+    for (int i = 0; i < foundCount; i++) {
+      if (mayHit(b, found[i].fixture.m_body)) {
+        found[kept++] = found[i];
+      }
+    }
+    Arrays.fill(found, kept, foundCount, null);
+    foundCount = kept;
+  }
+
+  @Override
+  public boolean treeCallback(int proxyId) {
+    if (foundCount == found.length) {
+      found = Arrays.copyOf(found, 2 * foundCount);
+    }
+    BroadPhase broadPhase = contacts.m_broadPhase;
+    found[foundCount++] = (FixtureProxy) broadPhase.getUserData(proxyId);
+    return true;
+  }
+
+  /** Two dynamic bodies pass through one another within a step unless one is a bullet. */
+  private static boolean mayHit(Body b, Body o) {
+    return o != b
+        && (o.m_type != BodyType.DYNAMIC || ((b.m_flags | o.m_flags) & Body.e_bulletFlag) != 0);
+  }
+
+  private void test(Body b, FixtureProxy p, Body o, FixtureProxy q) {
+    Fixture fp = p.fixture;
+    Fixture fq = q.fixture;
+    if (fp.m_isSensor || fq.m_isSensor || !ShapeContact.canCollide(fp.getType(), fq.getType())) {
+      return;
+    }
+    restOfWay(o, b.m_sweep.alpha0, input.sweepA);
+    input.proxyA.set(fq.m_shape, q.childIndex);
+    input.proxyB.set(fp.m_shape, p.childIndex);
+    input.tMax = time;
+    timeOfImpact.timeOfImpact(output, input);
+    boolean touching = output.state == TOIOutputState.TOUCHING;
+    boolean unknown = output.state == TOIOutputState.FAILED && output.t > 0f;
+    if (!(touching || unknown) || !(output.t < time)) {
+      return;
+    }
+    Contact c = contacts.contactOf(p, q);
+    if (c == null || !c.isEnabled() || isIgnored(c)) {
+      return;
+    }
+    time = output.t;
+    contact = touching ? c : null;
+    other = o;
+    mine = p;
+    theirs = q;
+  }
+
+  private boolean isIgnored(Contact c) {
+    for (int i = 0; i < ignoredCount; i++) {
+      if (ignored[i] == c) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Writes the motion of a body from the time {@code alpha} of the step on. One that does not move
+   * stands still. One that was itself stopped at a later time is taken to be on its way from there
+   * already.
+   */
+  static void restOfWay(Body o, float alpha, Sweep out) {
+    out.set(o.m_sweep);
+    if (o.awakeIndex < 0) {
+      out.c0.set(out.c);
+      out.a0 = out.a;
+    } else if (o.m_sweep.alpha0 < alpha) {
+      out.advance(alpha);
+    }
+    out.alpha0 = alpha;
+  }
+
+  /** The bounds of all children of a body on its way. */
+  void boundsOfWay(Body b, AABB out) {
+    boolean first = true;
+    for (Fixture f = b.m_fixtureList; f != null; f = f.m_next) {
+      for (int i = 0; i < f.m_proxyCount; i++) {
+        boundsOfWay(b, f.m_proxies[i], first ? out : way);
+        if (!first) {
+          out.combine(way);
+        }
+        first = false;
+      }
+    }
+    if (first) {
+      out.lowerBound.set(b.m_sweep.c);
+      out.upperBound.set(b.m_sweep.c);
+    }
+  }
+
+  /**
+   * The bounds of one child of a body on its way: those at start and end, and room for the arcs
+   * between. A point at distance R from the centre that turns by an angle d leaves the straight
+   * line by at most R (1 - cos(d/2)), which is below R d^2 / 8.
+   */
+  void boundsOfWay(Body b, FixtureProxy p, AABB out) {
+    Sweep sweep = b.m_sweep;
+    sweep.getTransform(start, 0f);
+    p.fixture.m_shape.computeAABB(out, start, p.childIndex);
+    sweep.getTransform(start, 1f);
+    p.fixture.m_shape.computeAABB(end, start, p.childIndex);
+    out.combine(end);
+    float turn = sweep.a - sweep.a0;
+    float arc = b.reach * turn * turn / 8f;
+    out.lowerBound.x -= arc;
+    out.lowerBound.y -= arc;
+    out.upperBound.x += arc;
+    out.upperBound.y += arc;
+  }
+}
