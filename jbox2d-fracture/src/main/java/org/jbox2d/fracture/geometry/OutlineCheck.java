@@ -10,17 +10,29 @@ package org.jbox2d.fracture.geometry;
  */
 public final class OutlineCheck {
   private final Outline outline;
+  private final boolean mayTouch;
   private OutlineDefect defect = OutlineDefect.NONE;
   private int vertex = -1;
   private int other = -1;
 
-  private OutlineCheck(Outline outline) {
+  private OutlineCheck(Outline outline, boolean mayTouch) {
     this.outline = outline;
+    this.mayTouch = mayTouch;
   }
 
   /** Checks an outline. */
   public static OutlineCheck of(Outline outline) {
-    OutlineCheck check = new OutlineCheck(outline);
+    OutlineCheck check = new OutlineCheck(outline, false);
+    check.compute();
+    return check;
+  }
+
+  /**
+   * Checks an outline whose rings may touch others in common vertices, as the remainders of
+   * fragmentations do.
+   */
+  public static OutlineCheck ofTouching(Outline outline) {
+    OutlineCheck check = new OutlineCheck(outline, true);
     check.compute();
     return check;
   }
@@ -133,7 +145,8 @@ public final class OutlineCheck {
       int e = order[k];
       for (int l = k + 1; l < n && left[order[l]] <= right[e]; l++) {
         int f = order[l];
-        if (meet(e, head[e], f, head[f])) {
+        if (meet(e, head[e], f, head[f])
+            && !(mayTouch && ring[e] != ring[f] && touchInVertex(e, head[e], f, head[f]))) {
           return failMeeting(e, f, ring[e] == ring[f], head);
         }
       }
@@ -172,6 +185,30 @@ public final class OutlineCheck {
       return foldsBack(xy, c, a, b);
     }
     return Segments.touch(xy, a, b, c, d);
+  }
+
+  /** Whether edges a-b and c-d, known to meet, do so only in an end of both. */
+  private boolean touchInVertex(int a, int b, int c, int d) {
+    int e = same(a, c) || same(a, d) ? a : b;
+    int f = same(e, c) ? c : d;
+    if (!same(e, f)) {
+      return false;
+    }
+    double[] xy = outline.coordinates();
+    int tipE = e == a ? b : a;
+    int tipF = f == c ? d : c;
+    return Predicates.orientation(xy, e, tipE, tipF) != 0 || foldsApart(xy, e, tipE, tipF);
+  }
+
+  private boolean same(int i, int j) {
+    return outline.x(i) == outline.x(j) && outline.y(i) == outline.y(j);
+  }
+
+  /** For collinear points: whether a and b are on different sides of e. */
+  private static boolean foldsApart(double[] xy, int e, int a, int b) {
+    return (xy[2 * a] - xy[2 * e]) * (xy[2 * b] - xy[2 * e])
+            + (xy[2 * a + 1] - xy[2 * e + 1]) * (xy[2 * b + 1] - xy[2 * e + 1])
+        < 0;
   }
 
   private static boolean foldsBack(double[] xy, int a, int b, int c) {

@@ -164,6 +164,24 @@ public final class Delaunay {
     return inCircle(origin[e], origin[e ^ 1], destination(next[e]), destination(previous[e]));
   }
 
+  /**
+   * Replaces the diagonal e of the quadrilateral of its two triangles by the other diagonal; e
+   * keeps its number and turns counter-clockwise. The result need not be Delaunay; for the
+   * insertion of constraints.
+   */
+  public void flip(int e) {
+    int a = previous[e];
+    int b = previous[e ^ 1];
+    firstEdge[origin[e]] = a;
+    firstEdge[origin[e ^ 1]] = b;
+    splice(e, a);
+    splice(e ^ 1, b);
+    splice(e, nextLeft(a));
+    splice(e ^ 1, nextLeft(b));
+    origin[e] = origin[a ^ 1];
+    origin[e ^ 1] = origin[b ^ 1];
+  }
+
   private void sortAndNumber(double[] xy, int n) {
     ensurePoints(n);
     siteCount = n;

@@ -1,0 +1,172 @@
+package org.jbox2d.fracture.hertelmehlhorn;
+
+import org.jbox2d.fracture.geometry.Outline;
+import org.jbox2d.fracture.geometry.OutlineCheck;
+import org.jbox2d.fracture.geometry.OutlineDefect;
+import org.jbox2d.fracture.triangulation.DelaunayTriangulator;
+import org.jbox2d.fracture.triangulation.TriangleMesh;
+import org.jbox2d.fracture.triangulation.Triangulator;
+
+/**
+ * Decomposes an outline, with holes, into convex parts that an engine can take: triangulate, then
+ * drop diagonals ({@link HertelMehlhorn}).
+ *
+ * <p><b>Resolution.</b> An engine merges points nearer than some distance, drops vertices that
+ * hardly stick out and refuses what is left without area. What is finer than that must not reach
+ * it. So if a resolution is given,
+ *
+ * <ol>
+ *   <li>the outline is rounded to floats and simplified first ({@link OutlineSimplifier}): edges
+ *       shorter than the resolution are collapsed, keeping the area where that is possible, and
+ *       vertices that hardly stick out are dropped;
+ *   <li>parts are treated the same way at last ({@link PartFilter}); a part of which nothing is
+ *       left is left out.
+ * </ol>
+ *
+ * Both change the area a little; {@link Result#areaError} tells how much. With a resolution of zero
+ * the outline is taken exactly and nothing is left out.
+ *
+ * <p>An instance owns workspaces and reuses them; not for use by two threads at once.
+ */
+public final class ConvexDecomposition {
+  private final Triangulator first;
+  private final Triangulator second;
+  private final TriangleMesh mesh = new TriangleMesh();
+  private final HertelMehlhorn hertelMehlhorn = new HertelMehlhorn();
+  private final OutlineSimplifier simplifier = new OutlineSimplifier();
+  private final PartFilter filter = new PartFilter();
+
+  /** Creates a decomposition with the triangulator that was found best by measurement. */
+  public ConvexDecomposition() {
+    this(new DelaunayTriangulator(), null);
+  }
+
+  /**
+   * Creates a decomposition.
+   *
+   * @param first the triangulator to use
+   * @param second the one to use where the first fails, or null
+   */
+  public ConvexDecomposition(Triangulator first, Triangulator second) {
+    this.first = first;
+    this.second = second;
+  }
+
+  /** How a decomposition ended. */
+  public enum Status {
+    /** There are parts. */
+    DECOMPOSED,
+    /** The outline is not a simple polygon with separate holes. */
+    INVALID_OUTLINE,
+    /** All of the outline is finer than the resolution. */
+    TOO_FINE,
+    /** No triangulator succeeded. */
+    NOT_TRIANGULATED
+  }
+
+  /** What came of a decomposition. */
+  public static final class Result {
+    private final Status status;
+    private final String reason;
+    private final ConvexParts parts;
+    private final double areaError;
+
+    Result(Status status, String reason, ConvexParts parts, double areaError) {
+      this.status = status;
+      this.reason = reason;
+      this.parts = parts;
+      this.areaError = areaError;
+    }
+
+    /** How it ended. */
+    public Status status() {
+      return status;
+    }
+
+    /** What went wrong, or an empty text. */
+    public String reason() {
+      return reason;
+    }
+
+    /** The parts; none on failure. */
+    public ConvexParts parts() {
+      return parts;
+    }
+
+    /** Area of all parts less the area of the outline, as a share of the latter. */
+    public double areaError() {
+      return areaError;
+    }
+  }
+
+  /**
+   * Decomposes an outline.
+   *
+   * @param outline simple, in either orientation, collinear vertices allowed; holes may touch other
+   *     rings in common vertices
+   * @param mostVertices most vertices of a part, 3 or more
+   * @param resolution distance below which the engine does not tell points apart, or zero
+   * @throws IllegalArgumentException if the number of vertices is below 3, or the resolution
+   *     negative or not finite
+   */
+  public Result decompose(Outline outline, int mostVertices, double resolution) {
+    if (mostVertices < 3) {
+      throw new IllegalArgumentException("most vertices of a part: " + mostVertices);
+    }
+    if (!(resolution >= 0 && resolution * 0 == 0)) {
+      throw new IllegalArgumentException("resolution: " + resolution);
+    }
+    OutlineCheck check = OutlineCheck.ofTouching(outline);
+    if (check.defect() != OutlineDefect.NONE) {
+      return failure(Status.INVALID_OUTLINE, check.message());
+    }
+    Outline normal = outline.normal();
+    Outline coarse = resolution > 0 ? simplifier.simplify(normal, resolution) : normal;
+    if (coarse == null) {
+      return failure(Status.TOO_FINE, "outline is finer than the resolution " + resolution);
+    }
+    if (!triangulate(coarse)) {
+      return failure(
+          Status.NOT_TRIANGULATED, "outline of " + coarse.vertexCount() + " vertices resists");
+    }
+    ConvexParts parts = fewestParts(coarse, mostVertices);
+    if (resolution > 0) {
+      parts = filter.filter(parts, resolution);
+      if (parts.count() == 0) {
+        return failure(Status.TOO_FINE, "all parts are finer than the resolution " + resolution);
+      }
+    }
+    double area = outline.area();
+    return new Result(Status.DECOMPOSED, "", parts, (parts.totalArea() - area) / area);
+  }
+
+  private static Result failure(Status status, String reason) {
+    return new Result(status, reason, new ConvexParts(new double[0], new int[1]), -1);
+  }
+
+  private boolean triangulate(Outline outline) {
+    if (first.triangulate(outline, mesh)) {
+      return true;
+    }
+    return second != null && second.triangulate(outline, mesh);
+  }
+
+  /** The best of the orders of diagonals. */
+  private ConvexParts fewestParts(Outline outline, int mostVertices) {
+    HertelMehlhorn.Order best = HertelMehlhorn.Order.LONGEST_FIRST;
+    int fewest = Integer.MAX_VALUE;
+    int last = 0;
+    HertelMehlhorn.Order[] orders = HertelMehlhorn.Order.values();
+    for (HertelMehlhorn.Order order : orders) {
+      last = hertelMehlhorn.merge(outline, mesh, mostVertices, order);
+      if (last < fewest) {
+        fewest = last;
+        best = order;
+      }
+    }
+    if (last != fewest) {
+      hertelMehlhorn.merge(outline, mesh, mostVertices, best);
+    }
+    return hertelMehlhorn.parts();
+  }
+}
