@@ -35,8 +35,10 @@ import org.jbox2d.common.Vec2;
  * at h = 0.015 with R = 0.02, and no vertex opposite is then both inside the round end and further
  * off sideways than upwards, so the upward face stays the reference.
  *
- * <p>Ids name features, whichever side is the reference: an incident vertex is (face of one, vertex
- * of the other), a cut is (end vertex of the reference face, face of the incident edge).
+ * <p>A point's id is the pair of vertices that lie opposite each other at its end of the faces,
+ * whether the incident one is cut or not and whichever shape is the reference. Boxes of one width
+ * that are stacked change between cut and vertex by a rounding; a point that changed its id with
+ * them would lose its impulse, and a high stack topple.
  */
 final class FaceClip {
 
@@ -48,7 +50,6 @@ final class FaceClip {
   private static final float VERTEX_LEAD = 0.1f;
 
   private static final byte VERTEX = (byte) ContactID.Type.VERTEX.ordinal();
-  private static final byte FACE = (byte) ContactID.Type.FACE.ordinal();
 
   private FaceClip() {}
 
@@ -84,46 +85,31 @@ final class FaceClip {
 
     if ((uP < 0f && uQ < 0f) || (uP > length && uQ > length)) {
       return addCorner(
-          manifold, referenceIsB, refFace, length, incFace, incEnd, p, q, uP, hP, uQ, hQ, radius);
+          manifold,
+          referenceIsB,
+          refFace,
+          refEnd,
+          length,
+          incFace,
+          incEnd,
+          p,
+          q,
+          uP,
+          hP,
+          uQ,
+          hQ,
+          radius);
     }
 
     float lowest =
-        addEnd(
-            manifold,
-            referenceIsB,
-            refFace,
-            refEnd,
-            length,
-            incFace,
-            incFace,
-            p,
-            q,
-            uP,
-            hP,
-            uQ,
-            hQ,
-            radius);
+        addEnd(manifold, referenceIsB, refEnd, length, incFace, p, q, uP, hP, uQ, hQ, radius);
     if (uQ == uP && hQ == hP) {
       // An incident edge without length is one point, not two.
       return lowest;
     }
     return Math.min(
         lowest,
-        addEnd(
-            manifold,
-            referenceIsB,
-            refFace,
-            refEnd,
-            length,
-            incFace,
-            incEnd,
-            q,
-            p,
-            uQ,
-            hQ,
-            uP,
-            hP,
-            radius));
+        addEnd(manifold, referenceIsB, refFace, length, incEnd, q, p, uQ, hQ, uP, hP, radius));
   }
 
   /**
@@ -135,6 +121,7 @@ final class FaceClip {
       Manifold manifold,
       boolean referenceIsB,
       int refFace,
+      int refEnd,
       float length,
       int incFace,
       int incEnd,
@@ -155,7 +142,7 @@ final class FaceClip {
     if (!((nearP ? squaredP : squaredQ) <= radius * radius)) {
       return Float.POSITIVE_INFINITY;
     }
-    add(manifold, referenceIsB, FACE, refFace, VERTEX, nearP ? incFace : incEnd)
+    add(manifold, referenceIsB, nearP ? refEnd : refFace, nearP ? incFace : incEnd)
         .localPoint
         .set(nearP ? p : q);
     return nearP ? hP : hQ;
@@ -165,15 +152,15 @@ final class FaceClip {
    * Writes the point for one end {@code v} of the incident edge, cut if need be; {@code w} is the
    * other end.
    *
+   * @param corner vertex of the reference face at this end
+   * @param vertex index of {@code v}
    * @return its height, positive infinity if it is above the skins
    */
   private static float addEnd(
       Manifold manifold,
       boolean referenceIsB,
-      int refFace,
-      int refEnd,
+      int corner,
       float length,
-      int incFace,
       int vertex,
       Vec2 v,
       Vec2 w,
@@ -192,26 +179,24 @@ final class FaceClip {
         if (!(hCut <= radius)) {
           return Float.POSITIVE_INFINITY;
         }
-        int corner = u < 0f ? refFace : refEnd;
-        ManifoldPoint point = add(manifold, referenceIsB, VERTEX, corner, FACE, incFace);
+        ManifoldPoint point = add(manifold, referenceIsB, corner, vertex);
         point.localPoint.set(v.x + fraction * (w.x - v.x), v.y + fraction * (w.y - v.y));
         return hCut;
       }
     } else if (!(h <= radius)) {
       return Float.POSITIVE_INFINITY;
     }
-    add(manifold, referenceIsB, FACE, refFace, VERTEX, vertex).localPoint.set(v);
+    add(manifold, referenceIsB, corner, vertex).localPoint.set(v);
     return h;
   }
 
-  private static ManifoldPoint add(
-      Manifold manifold, boolean flip, byte refType, int refIndex, byte incType, int incIndex) {
+  private static ManifoldPoint add(Manifold manifold, boolean flip, int refVertex, int incVertex) {
     ManifoldPoint point = manifold.points[manifold.pointCount++];
     ContactID id = point.id;
-    id.typeA = flip ? incType : refType;
-    id.indexA = (byte) (flip ? incIndex : refIndex);
-    id.typeB = flip ? refType : incType;
-    id.indexB = (byte) (flip ? refIndex : incIndex);
+    id.typeA = VERTEX;
+    id.indexA = (byte) (flip ? incVertex : refVertex);
+    id.typeB = VERTEX;
+    id.indexB = (byte) (flip ? refVertex : incVertex);
     return point;
   }
 }
