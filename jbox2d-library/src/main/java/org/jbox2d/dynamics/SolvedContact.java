@@ -1,5 +1,6 @@
 package org.jbox2d.dynamics;
 
+import org.jbox2d.common.Rot;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
 
@@ -58,6 +59,29 @@ public final class SolvedContact {
 
   /** See {@link #gainA}. */
   public final Vec2 gainB = new Vec2();
+
+  /** Where the centre of mass of body A was when the contact was solved, m. */
+  public final Vec2 centerA = new Vec2();
+
+  /** Where the centre of mass of body B was when the contact was solved, m. */
+  public final Vec2 centerB = new Vec2();
+
+  /** How body A was turned when the contact was solved. */
+  public final Rot rotationA = new Rot();
+
+  /** How body B was turned when the contact was solved. */
+  public final Rot rotationB = new Rot();
+
+  /**
+   * Rises with each time that contacts are solved together, in a step or at an impact within one.
+   */
+  public long solve;
+
+  /**
+   * Kinetic energy that solving took from all the bodies that were solved together, J; the same for
+   * all contacts of a {@link #solve}.
+   */
+  public double energyTaken;
 
   /** Length of the step, s. */
   public float dt;

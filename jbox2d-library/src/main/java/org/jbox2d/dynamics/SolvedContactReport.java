@@ -5,6 +5,7 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
 import org.jbox2d.callbacks.ContactImpulse;
 import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.ManifoldPoint;
+import org.jbox2d.common.Rot;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.solver.ContactConstraints;
@@ -20,6 +21,12 @@ final class SolvedContactReport {
   private final SolverBodies bodies;
   private final ContactImpulse impulse = new ContactImpulse();
   private final SolvedContact solved = new SolvedContact();
+
+  /** Whether {@link SolvedContact#energyTaken} has been summed for the current contacts. */
+  private boolean summed;
+
+  /** Number of bodies whose velocities were kept. */
+  private int kept;
 
   /** Velocities before contacts were solved, laid out as {@link SolverBodies#vel}. */
   private float[] before = new float[0];
@@ -45,6 +52,9 @@ final class SolvedContactReport {
       before = new float[bodies.vel.length];
     }
     System.arraycopy(bodies.vel, 0, before, 0, n);
+    kept = bodies.count;
+    solved.solve++;
+    summed = false;
   }
 
   /** Reports the first {@code n} contacts, which are those of the constraints. */
@@ -95,8 +105,11 @@ final class SolvedContactReport {
     solved.pointCount = constraints.pointCount[i];
     float nx = d[o + NX];
     float ny = d[o + NY];
-    float centreX = impacts ? bodies.pos[oA] : bodyA.m_sweep.c0.x;
-    float centreY = impacts ? bodies.pos[oA + 1] : bodyA.m_sweep.c0.y;
+    Body bodyB = c.m_fixtureB.m_body;
+    poseOf(bodyA, oA, solved.centerA, solved.rotationA);
+    poseOf(bodyB, oB, solved.centerB, solved.rotationB);
+    float centreX = solved.centerA.x;
+    float centreY = solved.centerA.y;
     solved.normal.set(nx, ny);
     for (int j = 0; j < solved.pointCount; j++) {
       int k = o + POINT + POINT_STRIDE * j;
@@ -119,8 +132,52 @@ final class SolvedContactReport {
     solved.gainB.setZero();
     if (!impacts) {
       gain(bodyA, step, solved.gainA);
-      gain(c.m_fixtureB.m_body, step, solved.gainB);
+      gain(bodyB, step, solved.gainB);
     }
+    if (!summed) {
+      summed = true;
+      solved.energyTaken = energyTaken();
+    }
+  }
+
+  /**
+   * Contacts of a step are solved where the bodies stood when it began, impacts where the solver
+   * has them.
+   */
+  private void poseOf(Body b, int o, Vec2 center, Rot rotation) {
+    if (impacts) {
+      center.set(bodies.pos[o], bodies.pos[o + 1]);
+      rotation.s = bodies.pos[o + 2];
+      rotation.c = bodies.pos[o + 3];
+    } else if (b.awakeIndex >= 0) {
+      center.set(b.m_sweep.c0);
+      rotation.set(b.m_xf0.q);
+    } else {
+      center.set(b.m_sweep.c);
+      rotation.set(b.m_xf.q);
+    }
+  }
+
+  private double energyTaken() {
+    double sum = 0;
+    for (int i = 0; i < kept; i++) {
+      int o = SolverBodies.STRIDE * i;
+      float invMass = bodies.mass[o];
+      float invI = bodies.mass[o + 1];
+      if (invMass > 0f) {
+        sum += 0.5 * (squares(before, o) - squares(bodies.vel, o)) / invMass;
+      }
+      if (invI > 0f) {
+        double w0 = before[o + 2];
+        double w1 = bodies.vel[o + 2];
+        sum += 0.5 * (w0 * w0 - w1 * w1) / invI;
+      }
+    }
+    return sum;
+  }
+
+  private static double squares(float[] v, int o) {
+    return (double) v[o] * v[o] + (double) v[o + 1] * v[o + 1];
   }
 
   private static void gain(Body b, StepConfig step, Vec2 out) {

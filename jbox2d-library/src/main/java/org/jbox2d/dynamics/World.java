@@ -428,6 +428,33 @@ public class World {
     }
   }
 
+  /**
+   * Moves an end of a joint from one body to another whose frame is the same, such as a piece of
+   * it: local anchors and angles are kept. Both bodies wake.
+   *
+   * @throws IllegalStateException if the world is locked
+   * @throws IllegalArgumentException if the joint does not hold {@code from}, or a body is not of
+   *     this world
+   */
+  public void moveJoint(Joint joint, Body from, Body to) {
+    checkUnlocked("moveJoint");
+    Checks.notNull(joint, "joint");
+    checkBody(from, "from");
+    checkBody(to, "to");
+    boolean atA = joint.getBodyA() == from;
+    if (!atA && joint.getBodyB() != from) {
+      throw new IllegalArgumentException("joint does not hold the body it is to be moved from");
+    }
+    JointEdge edge = atA ? joint.m_edgeA : joint.m_edgeB;
+    Body other = atA ? joint.getBodyB() : joint.getBodyA();
+    unlink(edge, from);
+    joint.replaceBody(from, to);
+    link(joint, edge, to, other);
+    (atA ? joint.m_edgeB : joint.m_edgeA).other = to;
+    from.setAwake(true);
+    to.setAwake(true);
+  }
+
   // --- Awake set
   // ------------------------------------------------------------------------------------------------------------
 

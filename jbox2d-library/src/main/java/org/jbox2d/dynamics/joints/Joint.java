@@ -138,6 +138,15 @@ public abstract class Joint {
     return i == 0 ? m_bodyA : m_bodyB;
   }
 
+  /** Engine-internal: another body with the same frame takes the place of one. */
+  public void replaceBody(Body from, Body to) {
+    if (m_bodyA == from) {
+      m_bodyA = to;
+    } else if (m_bodyB == from) {
+      m_bodyB = to;
+    }
+  }
+
   /** Engine-internal: place of this joint's kernel among the kernels. */
   public abstract int kernelOrder();
 

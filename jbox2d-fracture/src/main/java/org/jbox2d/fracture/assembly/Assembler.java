@@ -1,0 +1,194 @@
+package org.jbox2d.fracture.assembly;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jbox2d.callbacks.DestructionListener;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.Fixture;
+import org.jbox2d.dynamics.FixtureDef;
+import org.jbox2d.dynamics.World;
+import org.jbox2d.dynamics.joints.Joint;
+
+/**
+ * Carries a plan out: replaces a body by its pieces.
+ *
+ * <p>All pieces keep the frame of the old body: origin, angle and local coordinates are the same,
+ * so anchors of joints and a game's textures stay where they are. If something stays, its largest
+ * part is the old body itself, with its joints and its other fixtures; what no longer hangs
+ * together with it, and each splinter, becomes a body of its own. If nothing stays, the old body is
+ * destroyed.
+ *
+ * <p>Every piece moves on as the part of the rigid body that it was: {@code v_f = v + w x (c_f -
+ * c)}, with c the centres of mass. As the masses and inertias of the pieces add up to the body's,
+ * so do linear and angular momentum.
+ */
+public final class Assembler {
+  private Assembler() {}
+
+  /**
+   * Carries out a plan that breaks something.
+   *
+   * @return the bodies made: what stays first, then the splinters
+   */
+  public static List<Body> carryOut(World world, Plan plan) {
+    Body old = plan.request.body;
+    Motion motion = new Motion(old);
+    List<Cluster> clusters = Clusters.of(plan);
+    Cluster kept = Clusters.largest(clusters);
+    List<Body> bodies = new ArrayList<>();
+    List<Body> made = new ArrayList<>();
+    for (Cluster cluster : clusters) {
+      if (cluster != kept) {
+        Body body = makeCluster(world, old, plan, cluster);
+        made.add(body);
+      }
+    }
+    for (Piece splinter : plan.splinters) {
+      Body body = world.createBody(definition(old, BodyType.DYNAMIC));
+      FixtureDef def = template(plan.request.fixture);
+      def.density *= splinter.densityFactor;
+      def.material = plan.request.material.m_fragments;
+      body.createFixture(def, splinter);
+      made.add(body);
+    }
+    moveJoints(world, old, kept, plan, clusters, made);
+    if (kept != null) {
+      keep(world, old, plan, kept);
+      bodies.add(old);
+    } else {
+      world.destroyBody(old);
+    }
+    bodies.addAll(made);
+    for (Body body : bodies) {
+      motion.giveTo(body);
+    }
+    return bodies;
+  }
+
+  private static Body makeCluster(World world, Body old, Plan plan, Cluster cluster) {
+    Body body = world.createBody(definition(old, old.getType()));
+    for (Piece remainder : cluster.remainders) {
+      addRemainder(body, template(plan.request.fixture), remainder);
+    }
+    for (List<Fixture> group : cluster.others) {
+      copyGroup(body, group);
+    }
+    return body;
+  }
+
+  /** Makes fixtures like those of a group on another body; a compound stays a compound. */
+  private static void copyGroup(Body body, List<Fixture> group) {
+    Fixture first = group.get(0);
+    if (first.getCompound() != null && group.size() == first.getCompound().getParts().length) {
+      body.createFixture(template(first), first.getCompound());
+      return;
+    }
+    for (Fixture f : group) {
+      FixtureDef def = template(f);
+      def.shape = f.getShape();
+      body.createFixture(def);
+    }
+  }
+
+  /**
+   * The old body goes on as the kept cluster: what broke and what has left go, its remainders come.
+   */
+  private static void keep(World world, Body old, Plan plan, Cluster kept) {
+    FixtureDef def = template(plan.request.fixture);
+    DestructionListener listener = world.getDestructionListener();
+    for (Fixture f = old.getFixtureList(); f != null; ) {
+      Fixture next = f.getNext();
+      if (!kept.holds(f)) {
+        if (listener != null) {
+          listener.sayGoodbye(f);
+        }
+        old.destroyFixture(f);
+      }
+      f = next;
+    }
+    for (Piece remainder : kept.remainders) {
+      addRemainder(old, def, remainder);
+    }
+  }
+
+  private static void addRemainder(Body body, FixtureDef def, Piece remainder) {
+    float density = def.density;
+    def.density = density * remainder.densityFactor;
+    body.createFixture(def, remainder);
+    def.density = density;
+  }
+
+  private static BodyDef definition(Body old, BodyType type) {
+    BodyDef def = new BodyDef();
+    def.type = type;
+    def.position.set(old.getPosition());
+    def.angle = old.getAngle();
+    def.linearDamping = old.getLinearDamping();
+    def.angularDamping = old.getAngularDamping();
+    def.gravityScale = old.getGravityScale();
+    def.allowSleep = old.isSleepingAllowed();
+    def.fixedRotation = old.isFixedRotation();
+    def.bullet = old.isBullet();
+    def.userData = old.getUserData();
+    return def;
+  }
+
+  private static FixtureDef template(Fixture f) {
+    FixtureDef def = new FixtureDef();
+    def.density = f.getDensity();
+    def.friction = f.getFriction();
+    def.restitution = f.getRestitution();
+    def.isSensor = f.isSensor();
+    def.filter.set(f.getFilterData());
+    def.userData = f.getUserData();
+    def.material = f.getMaterial();
+    return def;
+  }
+
+  /**
+   * Joints go to the piece that holds their anchor; those whose anchor no piece holds stay with the
+   * old body.
+   */
+  private static void moveJoints(
+      World world, Body old, Cluster kept, Plan plan, List<Cluster> clusters, List<Body> made) {
+    if (old.getJointList() == null) {
+      return;
+    }
+    AnchorSearch search = new AnchorSearch(old, kept, plan, clusters, made);
+    for (Joint joint : search.jointsOf(old)) {
+      Body target = search.bodyAtAnchor(joint);
+      if (target != null) {
+        world.moveJoint(joint, old, target);
+      }
+    }
+  }
+
+  /** The motion of the old body when it broke. */
+  private static final class Motion {
+    private final double x;
+    private final double y;
+    private final double vx;
+    private final double vy;
+    private final float w;
+
+    Motion(Body b) {
+      x = b.getWorldCenter().x;
+      y = b.getWorldCenter().y;
+      vx = b.getLinearVelocity().x;
+      vy = b.getLinearVelocity().y;
+      w = b.getAngularVelocity();
+    }
+
+    void giveTo(Body b) {
+      if (b.getType() == BodyType.STATIC) {
+        return;
+      }
+      b.setAwake(true);
+      b.m_linearVelocity.x = (float) (vx - w * (b.getWorldCenter().y - y));
+      b.m_linearVelocity.y = (float) (vy + w * (b.getWorldCenter().x - x));
+      b.m_angularVelocity = w;
+    }
+  }
+}

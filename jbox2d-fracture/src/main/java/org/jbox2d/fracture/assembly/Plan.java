@@ -1,0 +1,64 @@
+package org.jbox2d.fracture.assembly;
+
+import java.util.Collections;
+import java.util.List;
+import org.jbox2d.fracture.impact.Request;
+
+/** What a fracture will do, worked out before anything is changed. */
+public final class Plan {
+  /** What becomes of the request. */
+  public enum Outcome {
+    /** There are splinters. */
+    BREAKS,
+    /** A static body too small to break comes loose instead. */
+    COMES_LOOSE,
+    /** Nothing breaks away, or the body is too small or has no area: the blow was a blow. */
+    HOLDS,
+    /** Something went wrong; the body stays whole. */
+    FAILS
+  }
+
+  public final Request request;
+  public final Outcome outcome;
+
+  /** Why it failed; empty otherwise. */
+  public final String reason;
+
+  final Breakable breakable;
+  final List<Piece> remainders;
+  final List<Piece> splinters;
+
+  private Plan(
+      Request request,
+      Outcome outcome,
+      String reason,
+      Breakable breakable,
+      List<Piece> remainders,
+      List<Piece> splinters) {
+    this.request = request;
+    this.outcome = outcome;
+    this.reason = reason;
+    this.breakable = breakable;
+    this.remainders = remainders;
+    this.splinters = splinters;
+  }
+
+  static Plan without(Request request, Outcome outcome) {
+    return new Plan(request, outcome, "", null, Collections.emptyList(), Collections.emptyList());
+  }
+
+  static Plan failed(Request request, String reason) {
+    return new Plan(
+        request, Outcome.FAILS, reason, null, Collections.emptyList(), Collections.emptyList());
+  }
+
+  static Plan breaks(
+      Request request, Breakable breakable, List<Piece> remainders, List<Piece> splinters) {
+    return new Plan(request, Outcome.BREAKS, "", breakable, remainders, splinters);
+  }
+
+  /** Whether the blow's rest is given back: it broke something, or tore it loose. */
+  public boolean yields() {
+    return outcome == Outcome.BREAKS || outcome == Outcome.COMES_LOOSE;
+  }
+}

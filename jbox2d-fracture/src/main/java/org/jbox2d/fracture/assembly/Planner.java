@@ -1,0 +1,170 @@
+package org.jbox2d.fracture.assembly;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.jbox2d.collision.shapes.Shape;
+import org.jbox2d.common.Settings;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.fracture.Material;
+import org.jbox2d.fracture.SiteRandom;
+import org.jbox2d.fracture.fragmentation.Fragment;
+import org.jbox2d.fracture.fragmentation.Fragmentation;
+import org.jbox2d.fracture.fragmentation.FragmentationStatus;
+import org.jbox2d.fracture.fragmentation.Fragmenter;
+import org.jbox2d.fracture.fragmentation.ImpactRegion;
+import org.jbox2d.fracture.fragmentation.PieceLimits;
+import org.jbox2d.fracture.geometry.Outline;
+import org.jbox2d.fracture.impact.Request;
+
+/**
+ * Works out a fracture: outline, sites, cells, fragmentation, convex parts, checks. A pure function
+ * of request and seed; touches no world. Owns workspaces that are used again.
+ */
+public final class Planner {
+  /**
+   * c of the region of effect: how many times the way of a step the region reaches ahead (thesis,
+   * 7.1).
+   */
+  private static final double REACH_IN_STEPS = 2;
+
+  /** Pieces below this share of the area of what breaks are merged into a neighbour. */
+  private static final double LEAST_AREA_SHARE = 1e-4;
+
+  /**
+   * Pieces thinner than this many slops, by twice their area over their perimeter, are merged:
+   * contacts let bodies sink into each other by one slop, so that thinner ones would be pressed
+   * through. A square at the limit has a side of twice this.
+   */
+  private static final double LEAST_WIDTH_IN_SLOPS = 3;
+
+  /**
+   * Share of the original area below which a piece does not break any more, where the absolute
+   * limit is larger.
+   */
+  private static final double LEAST_BREAKABLE_SHARE = 0.1;
+
+  private final Fragmenter fragmenter = new Fragmenter();
+  private final PartShapes partShapes = new PartShapes();
+  private double[] sites = new double[0];
+
+  /** Works out what a request comes to. */
+  public Plan plan(Request request, long seed, float minimumArea) {
+    Breakable breakable = Breakable.of(request.fixture);
+    if (breakable == null) {
+      return Plan.without(request, Plan.Outcome.HOLDS);
+    }
+    if (breakable.outline.area() < leastBreakableArea(breakable, minimumArea)) {
+      boolean loose = request.body.getType() == BodyType.STATIC;
+      return Plan.without(request, loose ? Plan.Outcome.COMES_LOOSE : Plan.Outcome.HOLDS);
+    }
+    return breakUp(request, breakable, seed);
+  }
+
+  /**
+   * The limit scales with what first broke, so that small bodies break too, but no piece is ground
+   * to dust.
+   */
+  private static double leastBreakableArea(Breakable breakable, float minimumArea) {
+    return Math.min(minimumArea, LEAST_BREAKABLE_SHARE * breakable.originalArea);
+  }
+
+  private Plan breakUp(Request request, Breakable breakable, long seed) {
+    Material material = request.material;
+    Vec2[] points =
+        material.focee(request.point.clone(), request.vector.clone(), new SiteRandom(seed));
+    String defect = takeSites(points);
+    if (defect != null) {
+      return Plan.failed(request, defect);
+    }
+    Fragmentation result =
+        fragmenter.fragment(
+            breakable.outline,
+            sites,
+            points.length,
+            Collections.singletonList(regionOf(request)),
+            new PieceLimits(LEAST_AREA_SHARE, LEAST_WIDTH_IN_SLOPS * Settings.linearSlop));
+    if (result.status() == FragmentationStatus.NOTHING_BREAKS) {
+      return Plan.without(request, Plan.Outcome.HOLDS);
+    }
+    if (result.status().isFailure()) {
+      return Plan.failed(request, result.status() + " " + result.reason());
+    }
+    return shape(request, breakable, result);
+  }
+
+  private String takeSites(Vec2[] points) {
+    if (points == null || points.length == 0) {
+      return "the material gave no sites";
+    }
+    if (sites.length < 2 * points.length) {
+      sites = new double[2 * points.length];
+    }
+    for (int i = 0; i < points.length; i++) {
+      Vec2 p = points[i];
+      if (p == null || !Float.isFinite(p.x) || !Float.isFinite(p.y)) {
+        return "the material gave a site that is not finite: " + p;
+      }
+      sites[2 * i] = p.x;
+      sites[2 * i + 1] = p.y;
+    }
+    return null;
+  }
+
+  private static ImpactRegion regionOf(Request r) {
+    double radius = r.material.m_radius;
+    double way = r.vector.length() * r.blow.dt();
+    double depth = Math.max(REACH_IN_STEPS * way, radius);
+    return new ImpactRegion(r.point.x, r.point.y, r.vector.x, r.vector.y, radius, depth);
+  }
+
+  private Plan shape(Request request, Breakable breakable, Fragmentation result) {
+    List<Piece> remainders = new ArrayList<>();
+    List<Piece> splinters = new ArrayList<>();
+    try {
+      for (Outline outline : result.remainders()) {
+        remainders.add(pieceOf(outline, breakable));
+      }
+      for (Fragment fragment : result.fragments()) {
+        splinters.add(pieceOf(fragment.outline(), breakable));
+      }
+    } catch (IllegalArgumentException e) {
+      return Plan.failed(request, "a piece has no convex parts: " + e.getMessage());
+    }
+    List<Piece> all = new ArrayList<>(remainders);
+    all.addAll(splinters);
+    double area = 0;
+    for (Piece piece : all) {
+      area += PartShapes.area(piece.getParts());
+    }
+    double expected = breakable.outline.area();
+    if (!(Math.abs(area - expected) <= areaTolerance(all))) {
+      return Plan.failed(request, "the pieces have an area of " + area + " of " + expected);
+    }
+    return Plan.breaks(request, breakable, remainders, splinters);
+  }
+
+  /**
+   * Neighbouring pieces share their edges, so their skins overlap: with a skin of half a slop they
+   * overlap by one slop, which is just what a resting contact keeps. They touch when born, and
+   * nothing pushes them apart.
+   */
+  private Piece pieceOf(Outline outline, Breakable breakable) {
+    Shape[] parts = partShapes.of(outline, 0.5f * Settings.linearSlop);
+    return new Piece(outline, breakable.originalArea, parts);
+  }
+
+  /**
+   * Vertices that move by less than the engine's resolution change the area of a piece by less than
+   * that times half its perimeter. If the areas are off by more, something is missing and the
+   * fracture is called off.
+   */
+  private static double areaTolerance(List<Piece> pieces) {
+    double perimeters = 0;
+    for (Piece piece : pieces) {
+      perimeters += piece.perimeter();
+    }
+    return 0.5 * PartShapes.resolution() * perimeters;
+  }
+}

@@ -1,0 +1,2 @@
+/** The materials that come with the library. */
+package org.jbox2d.fracture.materials;

@@ -1,0 +1,105 @@
+package org.jbox2d.architecture;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+
+/**
+ * The directions of dependency between the packages of the library.
+ *
+ * <p>JBox2D's own signatures force these cycles, and no others are allowed: pooling, callbacks,
+ * dynamics, contacts and joints name each other's types (a contact its fixtures, a body its joints,
+ * a listener its contacts, a pool its contacts), and the box of collision takes a pool.
+ */
+@AnalyzeClasses(packages = "org.jbox2d", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+  private static final String[] JDK = {"java.."};
+
+  @ArchTest
+  static final ArchRule commonUsesTheJdkAlone =
+      classes()
+          .that()
+          .resideInAPackage("org.jbox2d.common..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage(with("org.jbox2d.common.."));
+
+  @ArchTest
+  static final ArchRule internalUsesCommon =
+      classes()
+          .that()
+          .resideInAPackage("org.jbox2d.internal..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage(with("org.jbox2d.internal..", "org.jbox2d.common.."));
+
+  @ArchTest
+  static final ArchRule solverKnowsNoBodyContactOrJoint =
+      classes()
+          .that()
+          .resideInAPackage("org.jbox2d.dynamics.solver..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage(
+              with("org.jbox2d.dynamics.solver..", "org.jbox2d.common..", "org.jbox2d.internal.."));
+
+  @ArchTest
+  static final ArchRule collisionKnowsNoDynamics =
+      noClasses()
+          .that()
+          .resideInAPackage("org.jbox2d.collision..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.jbox2d.dynamics..");
+
+  @ArchTest
+  static final ArchRule narrowPhaseKnowsNoBroadPhase =
+      noClasses()
+          .that()
+          .resideInAPackage("org.jbox2d.collision.narrowphase..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAPackage("org.jbox2d.collision.broadphase..");
+
+  @ArchTest
+  static final ArchRule nothingUsesFractureAwtOrReflection =
+      noClasses()
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage(
+              "org.jbox2d.fracture..", "java.awt..", "javax.swing..", "java.lang.reflect..");
+
+  /**
+   * Two worlds share nothing but the tuning constants and the counters that JBox2D's API has (which
+   * nothing counts in).
+   */
+  @ArchTest
+  static final ArchRule noStaticState =
+      fields()
+          .that()
+          .areStatic()
+          .and()
+          .areDeclaredInClassesThat()
+          .doNotHaveFullyQualifiedName("org.jbox2d.common.Settings")
+          .and()
+          .areDeclaredInClassesThat()
+          .doNotHaveFullyQualifiedName("org.jbox2d.collision.Distance")
+          .and()
+          .areDeclaredInClassesThat()
+          .doNotHaveFullyQualifiedName("org.jbox2d.collision.TimeOfImpact")
+          .should()
+          .haveModifier(JavaModifier.FINAL);
+
+  private static String[] with(String... packages) {
+    String[] all = new String[packages.length + JDK.length];
+    System.arraycopy(packages, 0, all, 0, packages.length);
+    System.arraycopy(JDK, 0, all, packages.length, JDK.length);
+    return all;
+  }
+}
