@@ -61,8 +61,8 @@ public class Settings {
   public static int maxPolygonVertices = 8;
 
   /**
-   * Margin of the boxes in the broad phase, in metres: a body may move this far before the tree is
-   * touched.
+   * Greatest margin of the boxes in the broad phase, in metres: a body may move this far before the
+   * tree is touched. Small shapes have a smaller margin, by their size.
    */
   public static float aabbExtension = 0.1f;
 

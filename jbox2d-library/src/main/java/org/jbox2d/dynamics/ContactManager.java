@@ -7,6 +7,7 @@ import org.jbox2d.callbacks.PairCallback;
 import org.jbox2d.collision.broadphase.BroadPhase;
 import org.jbox2d.collision.broadphase.BroadPhaseStrategy;
 import org.jbox2d.collision.broadphase.DefaultBroadPhaseBuffer;
+import org.jbox2d.common.Settings;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.contacts.ShapeContact;
@@ -68,12 +69,11 @@ public class ContactManager implements PairCallback {
     Fixture fixtureB = proxyB.fixture;
     Body bodyA = fixtureA.m_body;
     Body bodyB = fixtureB.m_body;
-    if (bodyA == bodyB || pairs.contains(key(proxyA, proxyB))) {
+    if (bodyA == bodyB || pairs.contains(key(proxyA.proxyId, proxyB.proxyId))) {
       return;
     }
     if (!ShapeContact.canCollide(fixtureA.getType(), fixtureB.getType())
-        || !bodyB.shouldCollide(bodyA)
-        || (m_contactFilter != null && !m_contactFilter.shouldCollide(fixtureA, fixtureB))) {
+        || !passesFilters(fixtureA, fixtureB)) {
       return;
     }
     if (ShapeContact.mustSwap(fixtureA.getType(), fixtureB.getType())) {
@@ -88,7 +88,7 @@ public class ContactManager implements PairCallback {
    * must not collide.
    */
   Contact contactOf(FixtureProxy p, FixtureProxy q) {
-    if (pairs.contains(key(p, q))) {
+    if (pairs.contains(key(p.proxyId, q.proxyId))) {
       return find(p, q);
     }
     int before = m_contactCount;
@@ -116,7 +116,9 @@ public class ContactManager implements PairCallback {
   private void create(FixtureProxy proxyA, FixtureProxy proxyB) {
     Contact c = pop();
     c.init(proxyA.fixture, proxyA.childIndex, proxyB.fixture, proxyB.childIndex);
-    pairs.add(key(proxyA, proxyB));
+    c.m_proxyA = proxyA.proxyId;
+    c.m_proxyB = proxyB.proxyId;
+    pairs.add(key(c.m_proxyA, c.m_proxyB));
     c.m_prev = null;
     c.m_next = m_contactList;
     if (m_contactList != null) {
@@ -193,25 +195,34 @@ public class ContactManager implements PairCallback {
     unlink(c.m_nodeA, fixtureA.m_body);
     unlink(c.m_nodeB, fixtureB.m_body);
     deactivate(c);
-    pairs.remove(key(fixtureA.m_proxies[c.m_indexA], fixtureB.m_proxies[c.m_indexB]));
+    pairs.remove(key(c.m_proxyA, c.m_proxyB));
     push(c);
   }
 
   /**
    * Updates every contact that has an awake body: filters, drops it if the bounds have parted,
-   * computes the manifold.
+   * computes the manifold. A contact that does not touch and whose tight boxes are apart stays as
+   * it is: most of the contacts of a pile, for which nothing but the contact itself and the boxes
+   * is read.
    */
   public void collide() {
+    // Far above the rounding of the boxes and of the narrow phase, so that nothing that touches is
+    // passed over.
+    float slop = Settings.linearSlop;
+    int mask = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG;
     int i = 0;
     while (i < activeCount) {
       Contact c = active[i];
-      if (mayPersist(c)) {
-        c.update(m_contactListener);
-        i++;
-      } else {
+      if (!mayPersist(c)) {
         // The last active contact takes this place.
         destroy(c);
+        continue;
       }
+      if ((c.m_flags & mask) != Contact.ENABLED_FLAG
+          || m_broadPhase.testTightOverlap(c.m_proxyA, c.m_proxyB, slop)) {
+        c.update(m_contactListener);
+      }
+      i++;
     }
     if (strays) {
       dropStrays();
@@ -244,17 +255,18 @@ public class ContactManager implements PairCallback {
   }
 
   private boolean mayPersist(Contact c) {
-    Fixture fixtureA = c.m_fixtureA;
-    Fixture fixtureB = c.m_fixtureB;
     if ((c.m_flags & Contact.FILTER_FLAG) != 0) {
-      if (!fixtureB.m_body.shouldCollide(fixtureA.m_body)
-          || (m_contactFilter != null && !m_contactFilter.shouldCollide(fixtureA, fixtureB))) {
+      if (!passesFilters(c.m_fixtureA, c.m_fixtureB)) {
         return false;
       }
       c.m_flags &= ~Contact.FILTER_FLAG;
     }
-    return m_broadPhase.testOverlap(
-        fixtureA.m_proxies[c.m_indexA].proxyId, fixtureB.m_proxies[c.m_indexB].proxyId);
+    return m_broadPhase.testOverlap(c.m_proxyA, c.m_proxyB);
+  }
+
+  private boolean passesFilters(Fixture fixtureA, Fixture fixtureB) {
+    return fixtureB.m_body.shouldCollide(fixtureA.m_body)
+        && (m_contactFilter == null || m_contactFilter.shouldCollide(fixtureA, fixtureB));
   }
 
   void activate(Contact c) {
@@ -297,9 +309,9 @@ public class ContactManager implements PairCallback {
     world.contactPoolCount++;
   }
 
-  private static long key(FixtureProxy a, FixtureProxy b) {
-    int low = Math.min(a.proxyId, b.proxyId);
-    int high = Math.max(a.proxyId, b.proxyId);
+  private static long key(int proxyA, int proxyB) {
+    int low = Math.min(proxyA, proxyB);
+    int high = Math.max(proxyA, proxyB);
     return (long) low << 32 | high;
   }
 }

@@ -36,6 +36,13 @@ final class ContinuousCollision implements TreeCallback {
   /** Way of the surface, as a share of the body's thickness, above which it moves fast. */
   private static final float FAST = 0.25f;
 
+  /**
+   * Least margin of a body's boxes in the broad phase, as a share of its thickness, where {@link
+   * Settings#aabbExtension} is larger: an eighth of width plus height, each at least twice the
+   * thickness.
+   */
+  private static final float MARGIN_SHARE = 0.5f;
+
   private final World world;
   private final ImpactSearch search;
   private final ImpactCheck check = new ImpactCheck();
@@ -65,7 +72,7 @@ final class ContinuousCollision implements TreeCallback {
   private StepConfig step;
   private Profile profile;
 
-  /** Way up to which the broad phase's boxes after the step also cover the start of the way, m. */
+  /** Greatest margin of the broad phase's boxes, m. */
   private float margin;
 
   /** Way in which a contact that bounces moves in the step at least, m. */
@@ -148,6 +155,11 @@ final class ContinuousCollision implements TreeCallback {
     return (float) Math.sqrt(dx * dx + dy * dy) + Math.abs(s.a - s.a0) * b.reach;
   }
 
+  /** Way up to which the broad phase's boxes after the step also cover the start of the way, m. */
+  private float margin(Body b) {
+    return Math.min(margin, MARGIN_SHARE * b.thickness);
+  }
+
   /**
    * Whether a body might pass through something, or bounce off it: a way of a share of its
    * thickness may carry it half through; and where it meets something faster than the threshold of
@@ -205,7 +217,7 @@ final class ContinuousCollision implements TreeCallback {
   private void coverWays() {
     for (int i = 0; i < queued + kinematics; i++) {
       Body b = i < queued ? queue[i] : kinematic[i - queued];
-      if (!(way(b) > margin)) {
+      if (!(way(b) > margin(b))) {
         continue;
       }
       farMovers = true;
@@ -260,7 +272,7 @@ final class ContinuousCollision implements TreeCallback {
     boolean goesOn = b.impacts < Settings.maxSubSteps;
     while (goesOn) {
       float way = way(b);
-      boolean far = farMovers || way > margin;
+      boolean far = farMovers || way > margin(b);
       goesOn = search.find(b, far, way > FAST * b.thickness) && meet(b, search.other, search.time);
     }
     search.reset();

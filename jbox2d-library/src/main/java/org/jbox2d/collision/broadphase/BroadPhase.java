@@ -51,6 +51,15 @@ public interface BroadPhase {
   /** Whether the enlarged boxes of two proxies touch or overlap. */
   boolean testOverlap(int proxyIdA, int proxyIdB);
 
+  /**
+   * Whether the boxes that two proxies were last created or moved with, not enlarged, are at most
+   * {@code slack} (metres) apart. A broad phase that does not know them may answer as {@link
+   * #testOverlap}.
+   */
+  default boolean testTightOverlap(int proxyIdA, int proxyIdB, float slack) {
+    return testOverlap(proxyIdA, proxyIdB);
+  }
+
   /** Number of proxies. */
   int getProxyCount();
 

@@ -32,6 +32,9 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   /** One plus the index in the move buffer for each proxy; 0 for a proxy not in it. */
   private int[] bufferSlot = new int[16];
 
+  /** Tight boxes: minX, minY, maxX, maxY of proxy i from index 4 i on. */
+  private float[] tight = new float[64];
+
   /** What the current search of {@link #updatePairs} found. */
   private final IntArrayList found = new IntArrayList();
 
@@ -59,6 +62,10 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   public final int createProxy(AABB aabb, Object userData) {
     int proxyId = strategy.createProxy(aabb, userData);
     proxyCount++;
+    if (4 * proxyId >= tight.length) {
+      tight = Arrays.copyOf(tight, Math.max(4 * proxyId + 4, 2 * tight.length));
+    }
+    setTight(proxyId, aabb);
     bufferMove(proxyId);
     return proxyId;
   }
@@ -75,6 +82,15 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
     if (strategy.moveProxy(proxyId, aabb, displacement)) {
       bufferMove(proxyId);
     }
+    setTight(proxyId, aabb);
+  }
+
+  private void setTight(int proxyId, AABB aabb) {
+    int i = 4 * proxyId;
+    tight[i] = aabb.lowerBound.x;
+    tight[i + 1] = aabb.lowerBound.y;
+    tight[i + 2] = aabb.upperBound.x;
+    tight[i + 3] = aabb.upperBound.y;
   }
 
   @Override
@@ -100,6 +116,17 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
       return tree.overlap(proxyIdA, proxyIdB);
     }
     return AABB.testOverlap(strategy.getFatAABB(proxyIdA), strategy.getFatAABB(proxyIdB));
+  }
+
+  @Override
+  public boolean testTightOverlap(int proxyIdA, int proxyIdB, float slack) {
+    float[] box = tight;
+    int i = 4 * proxyIdA;
+    int j = 4 * proxyIdB;
+    return box[i] <= box[j + 2] + slack
+        && box[j] <= box[i + 2] + slack
+        && box[i + 1] <= box[j + 3] + slack
+        && box[j + 1] <= box[i + 3] + slack;
   }
 
   @Override

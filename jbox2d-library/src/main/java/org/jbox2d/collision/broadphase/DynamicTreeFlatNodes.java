@@ -13,10 +13,11 @@ import org.jbox2d.common.Vec2;
  * The engine's index of proxies: a binary tree of boxes over flat arrays, built and kept by the
  * surface area heuristic.
  *
- * <p>A proxy's enlarged box is its tight box grown by {@link Settings#aabbExtension} (metres) on
- * all sides and stretched along its motion by {@link Settings#aabbMultiplier} displacements. Only a
- * proxy that leaves its enlarged box, or whose enlarged box has become much too large, is inserted
- * anew. Ids of proxies are indices of nodes.
+ * <p>A proxy's enlarged box is its tight box grown on all sides by an eighth of its size (width
+ * plus height), but by no more than {@link Settings#aabbExtension} (metres), and stretched along
+ * its motion by {@link Settings#aabbMultiplier} displacements. Only a proxy that leaves its
+ * enlarged box, or whose enlarged box has become much too large, is inserted anew. Ids of proxies
+ * are indices of nodes.
  *
  * <p>Not safe for use by several threads at once. Callbacks may search the tree, but not change it.
  */
@@ -37,6 +38,14 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
    * all along its way.
    */
   private static final float OVERSIZE = 2;
+
+  /**
+   * Greatest margin of a box, as a share of its width plus height. A margin of the same length for
+   * all would give each body of a pile of splinters, smaller than the margin, contacts with dozens
+   * of others that it does not touch. An eighth is a quarter of a square's side (Box2D 3.2 bounds
+   * its margin in this way too).
+   */
+  private static final float MARGIN_SHARE = 0.125f;
 
   /**
    * The boxes last handed out by {@link #getFatAABB}, indexed by proxy; empty until that is first
@@ -103,16 +112,22 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
     }
     float tightSize = (upper.x - lower.x) + (upper.y - lower.y);
     float stretch = Math.abs(displacement.x) + Math.abs(displacement.y);
-    float newSize = tightSize + 4 * Settings.aabbExtension + Settings.aabbMultiplier * stretch;
+    float newSize = tightSize + 4 * margin(tightSize) + Settings.aabbMultiplier * stretch;
     return size(proxyId) <= OVERSIZE * newSize;
   }
 
+  private static float margin(float size) {
+    return Math.min(Settings.aabbExtension, MARGIN_SHARE * size);
+  }
+
   private void setEnlarged(int proxyId, AABB aabb, float predictedX, float predictedY) {
-    float margin = Settings.aabbExtension;
-    float minX = aabb.lowerBound.x - margin + Math.min(predictedX, 0);
-    float minY = aabb.lowerBound.y - margin + Math.min(predictedY, 0);
-    float maxX = aabb.upperBound.x + margin + Math.max(predictedX, 0);
-    float maxY = aabb.upperBound.y + margin + Math.max(predictedY, 0);
+    Vec2 lower = aabb.lowerBound;
+    Vec2 upper = aabb.upperBound;
+    float margin = margin((upper.x - lower.x) + (upper.y - lower.y));
+    float minX = lower.x - margin + Math.min(predictedX, 0);
+    float minY = lower.y - margin + Math.min(predictedY, 0);
+    float maxX = upper.x + margin + Math.max(predictedX, 0);
+    float maxY = upper.y + margin + Math.max(predictedY, 0);
     setBounds(
         proxyId,
         Math.max(minX, -Float.MAX_VALUE),

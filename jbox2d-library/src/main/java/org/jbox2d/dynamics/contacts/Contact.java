@@ -81,6 +81,12 @@ public abstract class Contact {
   /** Engine-internal: place among the contacts that a step looks at, or -1. */
   public int m_activeIndex = -1;
 
+  /** Engine-internal: the proxies in the broad phase, so that a look at them needs no fixture. */
+  public int m_proxyA;
+
+  /** Engine-internal: see {@link #m_proxyA}. */
+  public int m_proxyB;
+
   /** Engine-internal: sum of the normal impulses of the last step, N s. */
   public float m_lastImpulse;
 
