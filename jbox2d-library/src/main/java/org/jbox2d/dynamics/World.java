@@ -22,6 +22,7 @@ import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.joints.JointDef;
 import org.jbox2d.dynamics.joints.JointEdge;
+import org.jbox2d.dynamics.joints.JointType;
 import org.jbox2d.dynamics.solver.StepConfig;
 import org.jbox2d.pooling.IWorldPool;
 import org.jbox2d.pooling.normal.DefaultWorldPool;
@@ -323,9 +324,13 @@ public class World {
   public Joint createJoint(JointDef def) {
     checkUnlocked("createJoint");
     Checks.notNull(def, "def");
-    checkBody(def.bodyA, "JointDef.bodyA");
-    checkBody(def.bodyB, "JointDef.bodyB");
+    if (def.type != JointType.GEAR) {
+      checkBody(def.bodyA, "JointDef.bodyA");
+      checkBody(def.bodyB, "JointDef.bodyB");
+    }
     Joint j = Joint.create(this, def);
+    // A gear takes its bodies from the joints it couples.
+    checkBody(j.getBodyA(), "Joint.bodyA");
     j.m_next = jointList;
     if (jointList != null) {
       jointList.m_prev = j;

@@ -27,6 +27,10 @@ public class DistanceJointDef extends JointDef {
 
   /** Takes bodies, anchors and length as they are now; anchors are world points. */
   public void initialize(Body b1, Body b2, Vec2 anchor1, Vec2 anchor2) {
+    JointChecks.notNull(b1, "b1");
+    JointChecks.notNull(b2, "b2");
+    JointChecks.finite(anchor1, "anchor1");
+    JointChecks.finite(anchor2, "anchor2");
     bodyA = b1;
     bodyB = b2;
     b1.getLocalPointToOut(anchor1, localAnchorA);

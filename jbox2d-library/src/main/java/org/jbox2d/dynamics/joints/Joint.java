@@ -125,6 +125,11 @@ public abstract class Joint {
     return m_bodyA.isActive() && m_bodyB.isActive();
   }
 
+  /** Whether the joint is in the world: false while it is made and once it was destroyed. */
+  final boolean isLinked() {
+    return m_edgeA.joint == this;
+  }
+
   /** Engine-internal: on how many bodies the joint acts. They share an island. */
   public int bodyCount() {
     return 2;

@@ -47,6 +47,13 @@ final class JointChecks {
     }
   }
 
+  /** A share lies in [0, 1]. */
+  static void share(float value, String name) {
+    if (!(value >= 0f && value <= 1f)) {
+      throw new IllegalArgumentException(name + " must be in [0, 1], is " + value);
+    }
+  }
+
   /** Limits are finite and in order; equal ones are allowed. */
   static void limits(float lower, float upper, String lowerName, String upperName) {
     finite(lower, lowerName);

@@ -34,9 +34,16 @@ final class JointGather {
     f[at + 5] = b.m_angularVelocity;
   }
 
-  /** Wakes both bodies, for a change of the joint that may set them moving. */
+  /**
+   * Wakes both bodies, for a change of the joint that may set them moving; one that was destroyed
+   * stays.
+   */
   static void wake(Body a, Body b) {
-    a.setAwake(true);
-    b.setAwake(true);
+    if (a.getWorld() != null) {
+      a.setAwake(true);
+    }
+    if (b.getWorld() != null) {
+      b.setAwake(true);
+    }
   }
 }

@@ -39,6 +39,9 @@ public class RevoluteJointDef extends JointDef {
 
   /** Takes bodies, anchor and reference angle as they are now; the anchor is a world point. */
   public void initialize(Body b1, Body b2, Vec2 anchor) {
+    JointChecks.notNull(b1, "b1");
+    JointChecks.notNull(b2, "b2");
+    JointChecks.finite(anchor, "anchor");
     bodyA = b1;
     bodyB = b2;
     b1.getLocalPointToOut(anchor, localAnchorA);

@@ -114,6 +114,36 @@ public final class Arms {
             - lag(tb) * f[o + RBX]);
   }
 
+  /**
+   * The same along a direction u that turns with A: {@code h/2 d2/dt2 (u . d) = u . bend + h wA u'
+   * . ddot - h/2 wA^2 u . d}, the Coriolis and centrifugal terms of d seen in A's frame.
+   */
+  static float bendAlong(
+      float[] f, int o, SolverBodies bodies, int a, int b, float ux, float uy, StepConfig step) {
+    float h = step.dt;
+    float[] v = bodies.vel;
+    float[] x = bodies.pos;
+    float t = turn(v[a + 2] * h);
+    float sideways = ux * speedY(f, o, v, a, b) - uy * speedX(f, o, v, a, b);
+    float gap = ux * gapX(f, o, x, a, b) + uy * gapY(f, o, x, a, b);
+    return ux * bendX(f, o, v, a, b, h, step.invDt)
+        + uy * bendY(f, o, v, a, b, h, step.invDt)
+        + t * sideways
+        - 0.5f * t * t * step.invDt * gap;
+  }
+
+  /**
+   * The way of one arm above {@code h w x r} against a direction u, when it turns by t: {@code (1 -
+   * cos t) u . r + (t - sin t) u . r'}.
+   *
+   * @param along u . r
+   * @param across u x r, which is u . r' for r' = (-ry, rx) with the sign turned
+   */
+  static float bendOne(float t, float along, float across) {
+    float bounded = turn(t);
+    return versine(bounded) * along - lag(bounded) * across;
+  }
+
   /** Turns above a quarter count as a quarter, so that no spin, however fast, makes it run away. */
   private static float turn(float t) {
     return Math.max(-LARGEST_TURN, Math.min(LARGEST_TURN, t));

@@ -1,0 +1,146 @@
+package org.jbox2d.dynamics.solver;
+
+/**
+ * Drives one body towards a place relative to another, with bounded force and torque. It serves the
+ * motor joint and, with no correction, the friction joint, which is a motor that wants to stand
+ * still.
+ *
+ * <pre>
+ *   point:  ddot + correction d / h = 0,              |sum of impulses| &lt;= maxForce h
+ *   angle:  wB - wA + correction C / h = 0,           |sum of impulses| &lt;= maxTorque h
+ *   d = xB + rB - xA - rA,   C = aB - aA - offset
+ * </pre>
+ *
+ * The angle is solved first, then the point as a 2 x 2 block (see {@link Arms}), its impulse drawn
+ * back to the circle of its bound, as Coulomb friction in the plane asks. Warm starting keeps the
+ * impulses, so that a load within the bound is carried without creep. There is nothing to correct
+ * in position.
+ */
+public final class DriveKernel extends JointKernel {
+  /** Length of a row's block. */
+  public static final int FLOATS = Arms.SIZE + 14;
+
+  private static final int OFFSET = 8;
+  private static final int MAX_FORCE = 9;
+  private static final int MAX_TORQUE = 10;
+  private static final int CORRECTION = 11;
+  // In and out.
+  private static final int IMPULSE_X = 12;
+  private static final int IMPULSE_Y = 13;
+  private static final int TURN_IMPULSE = 14;
+  // Own.
+  private static final int M11 = 15;
+  private static final int M12 = 16;
+  private static final int M22 = 17;
+  private static final int ANGLE_MASS = 18;
+  private static final int BIAS_X = 19;
+  private static final int BIAS_Y = 20;
+  private static final int BIAS_TURN = 21;
+
+  DriveKernel(int order) {
+    super(order);
+  }
+
+  /**
+   * Fills in what is wanted and how hard it is tried.
+   *
+   * @param offset angle of B minus that of A, rad
+   * @param correction share of the error to be removed in a step, 0 to 1
+   */
+  public static void writeDrive(
+      float[] f, int o, float offset, float maxForce, float maxTorque, float correction) {
+    f[o + OFFSET] = offset;
+    f[o + MAX_FORCE] = maxForce;
+    f[o + MAX_TORQUE] = maxTorque;
+    f[o + CORRECTION] = correction;
+  }
+
+  /** Fills in the impulses kept from the last step. */
+  public static void writeImpulses(float[] f, int o, float x, float y, float turn) {
+    f[o + IMPULSE_X] = x;
+    f[o + IMPULSE_Y] = y;
+    f[o + TURN_IMPULSE] = turn;
+  }
+
+  /** Returns the impulse on body B along x, N s. */
+  public static float impulseX(float[] f, int o) {
+    return f[o + IMPULSE_X];
+  }
+
+  /** Returns the impulse on body B along y, N s. */
+  public static float impulseY(float[] f, int o) {
+    return f[o + IMPULSE_Y];
+  }
+
+  /** Returns the angular impulse on body B, N m s. */
+  public static float turnImpulse(float[] f, int o) {
+    return f[o + TURN_IMPULSE];
+  }
+
+  @Override
+  public void prepare(JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
+    float[] f = rows.f;
+    float[] m = bodies.mass;
+    float keep = step.warmStarting ? step.dtRatio : 0f;
+    for (int r = from; r < to; r++) {
+      int o = rows.floatAt[r];
+      int slotA = rows.bodies[rows.bodyAt[r]];
+      int slotB = rows.bodies[rows.bodyAt[r] + 1];
+      int a = SolverBodies.STRIDE * slotA;
+      int b = SolverBodies.STRIDE * slotB;
+      Arms.turn(f, o, bodies.pos, a, b);
+      Arms.invert(f, o, o + M11, m, a, b);
+      float k = m[a + 1] + m[b + 1];
+      f[o + ANGLE_MASS] = k > 0f ? 1f / k : 0f;
+      float rate = f[o + CORRECTION] * step.invDt;
+      f[o + BIAS_X] = rate * Arms.gapX(f, o, bodies.pos, a, b);
+      f[o + BIAS_Y] = rate * Arms.gapY(f, o, bodies.pos, a, b);
+      f[o + BIAS_TURN] = rate * (bodies.angle[slotB] - bodies.angle[slotA] - f[o + OFFSET]);
+      f[o + IMPULSE_X] *= keep;
+      f[o + IMPULSE_Y] *= keep;
+      f[o + TURN_IMPULSE] *= keep;
+      Arms.push(f, o, bodies.vel, m, a, b, f[o + IMPULSE_X], f[o + IMPULSE_Y], f[o + TURN_IMPULSE]);
+    }
+  }
+
+  @Override
+  public void solveVelocity(
+      JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
+    float[] f = rows.f;
+    float[] v = bodies.vel;
+    for (int r = from; r < to; r++) {
+      int o = rows.floatAt[r];
+      int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
+      int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
+      float mostTurn = f[o + MAX_TORQUE] * step.dt;
+      float oldTurn = f[o + TURN_IMPULSE];
+      float turn = oldTurn - f[o + ANGLE_MASS] * (v[b + 2] - v[a + 2] + f[o + BIAS_TURN]);
+      turn = Math.max(-mostTurn, Math.min(mostTurn, turn));
+      f[o + TURN_IMPULSE] = turn;
+      Arms.push(f, o, v, bodies.mass, a, b, 0f, 0f, turn - oldTurn);
+
+      float cx = Arms.speedX(f, o, v, a, b) + f[o + BIAS_X];
+      float cy = Arms.speedY(f, o, v, a, b) + f[o + BIAS_Y];
+      float oldX = f[o + IMPULSE_X];
+      float oldY = f[o + IMPULSE_Y];
+      float px = oldX - (f[o + M11] * cx + f[o + M12] * cy);
+      float py = oldY - (f[o + M12] * cx + f[o + M22] * cy);
+      float most = f[o + MAX_FORCE] * step.dt;
+      float size = (float) Math.sqrt(px * px + py * py);
+      if (size > most) {
+        px *= most / size;
+        py *= most / size;
+      }
+      f[o + IMPULSE_X] = px;
+      f[o + IMPULSE_Y] = py;
+      Arms.push(f, o, v, bodies.mass, a, b, px - oldX, py - oldY, 0f);
+    }
+  }
+
+  /** There is no error to correct: what is left is for the next step's force. */
+  @Override
+  public boolean solvePosition(
+      JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
+    return true;
+  }
+}
