@@ -3,6 +3,7 @@ package org.jbox2d.dynamics;
 import org.jbox2d.collision.Distance.DistanceProxy;
 import org.jbox2d.collision.Manifold;
 import org.jbox2d.collision.WorldManifold;
+import org.jbox2d.common.Sweep;
 import org.jbox2d.common.Transform;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
@@ -12,25 +13,29 @@ import org.jbox2d.dynamics.solver.StepConfig;
 /**
  * Tells impacts from mere touches: what a body lies on, slides along or leaves must not stop it.
  *
- * <p>Two cases are no impacts. (1) The shapes touch from the start, and no point of the contact
- * approaches: the solver has seen to that. (2) The body slides along one fixture towards the side
- * of the next one that continues it, a seam:
+ * <p>Three cases are no impacts. (1) The shapes touch from the start, and no point of the contact
+ * approaches. (2) The contact has been solved in this step, so the body lies on it or leaves it,
+ * and what approach is left does not carry it far for its thickness. (3) The body slides along one
+ * fixture towards the side of the next one that continues it, a seam:
  *
  * <pre>
  *        +-------+
- *        | body  | --->
+ *        | body  | ---&gt;
  *   =====+-------+==========     m: normal of the contact that the body slides along
  *     tile k     |   tile k+1    n: normal of the hit, against the motion
  * </pre>
  *
- * Along m the cores of body and tile k+1 are apart, and do not approach: so they stay apart, and
- * the hit is that of skins. The depth that counts as apart is that of two skins.
+ * Along m the body is no deeper in tile k+1 than in tile k, or no deeper than two skins, and does
+ * not get much deeper: so it slides over it, and the hit is one of skins.
  */
 final class ImpactCheck {
   /** Approach over the rest of the step that is left to the next step, in linear slops. */
   private static final float HARMLESS_APPROACH = 0.5f;
 
-  /** Overlap of the skins along the sliding normal up to which the cores are apart, in slops. */
+  /** The same for a contact that has been solved in this step, as a share of the thickness. */
+  private static final float HARMLESS_SINKING = 0.25f;
+
+  /** Overlap along the sliding normal that two skins have before the cores touch, in slops. */
   private static final float SKINS = 4f;
 
   /** Cosine of the angle between two normals within which they mean the same side (30 degrees). */
@@ -56,7 +61,10 @@ final class ImpactCheck {
     }
     hit.initialize(manifold, a.m_body.m_xf, a.m_shape.m_radius, z.m_body.m_xf, z.m_shape.m_radius);
     turnTowards(b, c, hit);
-    if (!(found.time > 0f) && approach(b, found.other) * h <= HARMLESS_APPROACH * step.linearSlop) {
+    float approach = approach(b, found.other, found.time, h);
+    float sinking = HARMLESS_SINKING * b.thickness;
+    if (approach <= (c.isTouching() ? sinking : HARMLESS_APPROACH * step.linearSlop)
+        && (c.isTouching() || !(found.time > 0f))) {
       return false;
     }
     for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
@@ -74,25 +82,33 @@ final class ImpactCheck {
     }
   }
 
-  /** The greatest speed at which a point of the hit comes nearer, m/s. */
-  private float approach(Body b, Body o) {
+  /**
+   * How far a point of the hit comes nearer on the rest of the way, m, at most: by the velocities,
+   * or by the body's way, which the position solver has made a different one.
+   */
+  private float approach(Body b, Body o, float t, float h) {
+    Sweep s = b.m_sweep;
+    float wayX = (1f - t) * (s.c.x - s.c0.x);
+    float wayY = (1f - t) * (s.c.y - s.c0.y);
+    float turn = (1f - t) * (s.a - s.a0);
+    Vec2 v = b.m_linearVelocity;
     float most = Float.NEGATIVE_INFINITY;
-    Vec2 n = hit.normal;
     for (int i = 0; i < manifold.pointCount; i++) {
       Vec2 p = hit.points[i];
-      float vx = velocityX(b, p) - velocityX(o, p);
-      float vy = velocityY(b, p) - velocityY(o, p);
-      most = Math.max(most, -(n.x * vx + n.y * vy));
+      float other =
+          along(o, p, h * o.m_linearVelocity.x, h * o.m_linearVelocity.y, h * o.m_angularVelocity);
+      float fast = along(b, p, h * v.x, h * v.y, h * b.m_angularVelocity);
+      float far = along(b, p, wayX, wayY, turn);
+      most = Math.max(most, other - Math.min(fast, far));
     }
     return most;
   }
 
-  private static float velocityX(Body b, Vec2 p) {
-    return b.m_linearVelocity.x - b.m_angularVelocity * (p.y - b.m_xf.p.y - offsetY(b));
-  }
-
-  private static float velocityY(Body b, Vec2 p) {
-    return b.m_linearVelocity.y + b.m_angularVelocity * (p.x - b.m_xf.p.x - offsetX(b));
+  /** The way of a point of a body along the normal of the hit. */
+  private float along(Body b, Vec2 p, float wayX, float wayY, float turn) {
+    float rx = p.x - b.m_xf.p.x - offsetX(b);
+    float ry = p.y - b.m_xf.p.y - offsetY(b);
+    return hit.normal.x * (wayX - turn * ry) + hit.normal.y * (wayY + turn * rx);
   }
 
   /** From the origin to the centre of mass, as the body is placed. */
@@ -124,18 +140,23 @@ final class ImpactCheck {
     float apart =
         -(m.x * (b.m_linearVelocity.x - o.m_linearVelocity.x)
             + m.y * (b.m_linearVelocity.y - o.m_linearVelocity.y));
-    if (apart * h > HARMLESS_APPROACH * step.linearSlop) {
+    if (apart * h > HARMLESS_SINKING * b.thickness) {
       return false;
     }
-    proxy.set(found.mine.fixture.m_shape, found.mine.childIndex);
-    float low = -farthest(b.m_xf, -m.x, -m.y) - proxy.m_radius;
-    proxy.set(found.theirs.fixture.m_shape, found.theirs.childIndex);
-    float high = farthest(o.m_xf, m.x, m.y) + proxy.m_radius;
-    return low - high >= -SKINS * step.linearSlop;
+    boolean isA = k.m_fixtureA.m_body == b;
+    Fixture support = isA ? k.m_fixtureB : k.m_fixtureA;
+    int child = isA ? k.m_indexB : k.m_indexA;
+    float low = -farthest(found.mine.fixture, found.mine.childIndex, -m.x, -m.y);
+    float inHit = low - farthest(found.theirs.fixture, found.theirs.childIndex, m.x, m.y);
+    float inSupport = low - farthest(support, child, m.x, m.y);
+    float slop = step.linearSlop;
+    return inHit >= Math.min(-SKINS * slop, inSupport - slop);
   }
 
-  /** Greatest coordinate of the proxy's corners along a direction. */
-  private float farthest(Transform xf, float dx, float dy) {
+  /** Greatest coordinate of a child's surface along a direction. */
+  private float farthest(Fixture f, int child, float dx, float dy) {
+    Transform xf = f.m_body.m_xf;
+    proxy.set(f.m_shape, child);
     float lx = xf.q.c * dx + xf.q.s * dy;
     float ly = xf.q.c * dy - xf.q.s * dx;
     float most = Float.NEGATIVE_INFINITY;
@@ -143,6 +164,6 @@ final class ImpactCheck {
       Vec2 v = proxy.m_vertices[i];
       most = Math.max(most, lx * v.x + ly * v.y);
     }
-    return most + dx * xf.p.x + dy * xf.p.y;
+    return most + dx * xf.p.x + dy * xf.p.y + proxy.m_radius;
   }
 }

@@ -21,7 +21,7 @@ final class DeterminismScenes {
    * @param beside stepped between the steps of each scene; may be {@code null}
    */
   static long[] hashes(int steps, World beside) {
-    World[] worlds = {Make.debris(80, 42), Make.pyramid(8), Make.tumbler(80)};
+    World[] worlds = {Make.debris(80, 42), Make.pyramid(8), Make.tumbler(80), Make.bullets(40, 4)};
     long[] hashes = new long[worlds.length];
     for (int k = 0; k < worlds.length; k++) {
       World world = worlds[k];

@@ -124,6 +124,30 @@ final class Make {
     return world;
   }
 
+  /** Discs and polygons, half of them bullets, that fly to and fro between four walls for ever. */
+  static World bullets(int count, long seed) {
+    World world = weightless();
+    Body walls = body(world, BodyType.STATIC, 0f, 0f);
+    for (int i = 0; i < 4; i++) {
+      PolygonShape wall = new PolygonShape();
+      float angle = 0.5f * MathUtils.PI * i;
+      Vec2 middle = new Vec2(10f * MathUtils.cos(angle), 10f * MathUtils.sin(angle));
+      wall.setAsBox(0.05f, 10f, middle, angle);
+      walls.createFixture(wall, 0f);
+    }
+    Random random = new Random(seed);
+    for (int i = 0; i < count; i++) {
+      Shape shape = i % 2 == 0 ? circle(0.1f + 0.1f * random.nextFloat()) : polygon(random, 0.2f);
+      Body body = dynamic(world, shape, -8f + 2f * (i % 9), -8f + 2f * (i / 9), 0f);
+      body.setBullet(i % 4 < 2);
+      body.setSleepingAllowed(false);
+      float angle = 6f * random.nextFloat();
+      body.setLinearVelocity(new Vec2(80f * MathUtils.cos(angle), 80f * MathUtils.sin(angle)));
+      surface(body, 0f, 1f);
+    }
+    return world;
+  }
+
   /** A pyramid of unit boxes. */
   static World pyramid(int rows) {
     World world = world();

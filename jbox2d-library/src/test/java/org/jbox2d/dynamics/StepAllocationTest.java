@@ -66,6 +66,12 @@ class StepAllocationTest {
     assertNoneAllocated(world, 600, 30);
   }
 
+  /** Fast bullets in a box: many impacts in each step, with contacts made and dropped. */
+  @Test
+  void bullets() {
+    assertNoneAllocated(Make.bullets(60, 4), 900, 60);
+  }
+
   @Test
   void sleepers() {
     World world = Make.pyramid(10);
