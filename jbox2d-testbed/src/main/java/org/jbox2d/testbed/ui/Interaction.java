@@ -1,0 +1,145 @@
+package org.jbox2d.testbed.ui;
+
+import org.jbox2d.callbacks.QueryCallback;
+import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.shapes.CircleShape;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.Fixture;
+import org.jbox2d.dynamics.FixtureDef;
+import org.jbox2d.dynamics.World;
+import org.jbox2d.dynamics.joints.Joint;
+import org.jbox2d.dynamics.joints.MouseJoint;
+import org.jbox2d.dynamics.joints.MouseJointDef;
+import org.jbox2d.testbed.scenes.Scenes;
+import org.jbox2d.testbed.simulation.Simulation;
+
+/** What the user does to the world. Runs on the simulation's thread, between steps. */
+final class Interaction {
+  /** Half-size of the box in which a body is looked for under the pointer, m. */
+  private static final float REACH = 0.001f;
+
+  /** Greatest acceleration that dragging gives a body, m/s^2. */
+  private static final float DRAG_ACCELERATION = 1000f;
+
+  private static final float SHOT_RADIUS = 0.8f;
+  private static final float SHOT_DENSITY = 5f;
+  private static final float SHOT_SPEED = 80f;
+
+  /** How far from its target a shot starts, m. */
+  private static final float SHOT_DISTANCE = 25f;
+
+  private final Simulation run;
+  private final World world;
+
+  Interaction(Simulation run) {
+    this.run = run;
+    world = run.world();
+  }
+
+  /** Takes hold of the dynamic body at a world point, if there is one. */
+  void grab(float x, float y) {
+    release();
+    Vec2 point = new Vec2(x, y);
+    Body body = bodyAt(point);
+    Body ground = anyStatic();
+    if (body == null || ground == null) {
+      return;
+    }
+    MouseJointDef def = new MouseJointDef();
+    def.bodyA = ground;
+    def.bodyB = body;
+    def.userData = this;
+    def.target.set(point);
+    def.maxForce = DRAG_ACCELERATION * body.getMass();
+    world.createJoint(def);
+    body.setAwake(true);
+  }
+
+  /** Pulls what has been grabbed towards a world point. */
+  void dragTo(float x, float y) {
+    MouseJoint joint = held();
+    if (joint != null) {
+      joint.getBodyB().setAwake(true);
+      joint.setTarget(new Vec2(x, y));
+    }
+  }
+
+  /** Lets go. */
+  void release() {
+    MouseJoint joint = held();
+    if (joint != null) {
+      world.destroyJoint(joint);
+    }
+  }
+
+  /** Throws a heavy disc at a world point, from the left and a little above. */
+  void shoot(float x, float y) {
+    float inside = Scenes.BOX_HALF_WIDTH - 2f * SHOT_RADIUS;
+    BodyDef def = new BodyDef();
+    def.type = BodyType.DYNAMIC;
+    def.bullet = true;
+    def.position.set(
+        Math.max(-inside, Math.min(inside, x - SHOT_DISTANCE)), Math.max(y, SHOT_RADIUS));
+    def.linearVelocity.set(SHOT_SPEED, 0f);
+    Body body = world.createBody(def);
+    CircleShape shape = new CircleShape();
+    shape.m_radius = SHOT_RADIUS;
+    FixtureDef substance = new FixtureDef();
+    substance.shape = shape;
+    substance.density = SHOT_DENSITY;
+    body.createFixture(substance);
+    run.massBalance().leaveOut(body);
+  }
+
+  /**
+   * The joint of the last grab. It is looked up, not kept: it goes with its body when that breaks,
+   * or is replaced by one that holds the fragment.
+   */
+  private MouseJoint held() {
+    for (Joint j = world.getJointList(); j != null; j = j.getNext()) {
+      if (j.getUserData() == this && j instanceof MouseJoint mouse) {
+        return mouse;
+      }
+    }
+    return null;
+  }
+
+  private Body anyStatic() {
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      if (b.getType() == BodyType.STATIC) {
+        return b;
+      }
+    }
+    return null;
+  }
+
+  private Body bodyAt(Vec2 point) {
+    AABB box =
+        new AABB(
+            new Vec2(point.x - REACH, point.y - REACH), new Vec2(point.x + REACH, point.y + REACH));
+    Finder finder = new Finder(point);
+    world.queryAABB(finder, box);
+    return finder.found;
+  }
+
+  private static final class Finder implements QueryCallback {
+    private final Vec2 point;
+    private Body found;
+
+    Finder(Vec2 point) {
+      this.point = point;
+    }
+
+    @Override
+    public boolean reportFixture(Fixture fixture) {
+      if (fixture.getBody().getType() == BodyType.DYNAMIC && fixture.testPoint(point)) {
+        found = fixture.getBody();
+        return false;
+      }
+      return true;
+    }
+  }
+}

@@ -1,0 +1,204 @@
+package org.jbox2d.testbed.ui;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
+import org.jbox2d.testbed.paint.Layers;
+import org.jbox2d.testbed.paint.Palette;
+import org.jbox2d.testbed.paint.SnapshotPainter;
+import org.jbox2d.testbed.paint.View;
+import org.jbox2d.testbed.scenes.Scene.Framing;
+import org.jbox2d.testbed.simulation.Snapshot;
+
+/**
+ * Shows the last snapshot and turns what the mouse does into changes of the view, or into commands
+ * for the simulation. Of the event thread alone.
+ */
+final class WorldCanvas extends JComponent {
+  /** Factor of a click of the wheel. */
+  private static final double WHEEL_FACTOR = 1.15;
+
+  private final SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
+  private final Supplier<Snapshot> source;
+  private final Supplier<double[]> stepMillis;
+  private final Consumer<Consumer<Interaction>> commands;
+  private Framing framing;
+  private View view;
+  private Point mouse = new Point();
+  private String hint;
+  private Layers layers = Layers.NONE;
+
+  /**
+   * A canvas.
+   *
+   * @param source gives the snapshot to show, or {@code null} while there is none
+   * @param stepMillis gives how long the last steps took, the newest first
+   * @param commands takes what is to be done to the world
+   */
+  WorldCanvas(
+      Framing framing,
+      Supplier<Snapshot> source,
+      Supplier<double[]> stepMillis,
+      Consumer<Consumer<Interaction>> commands) {
+    this.source = source;
+    this.stepMillis = stepMillis;
+    this.commands = commands;
+    setPreferredSize(new Dimension(1200, 700));
+    setFocusable(true);
+    setOpaque(true);
+    frame(framing);
+    Mouse handler = new Mouse();
+    addMouseListener(handler);
+    addMouseMotionListener(handler);
+    addMouseWheelListener(handler);
+    addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent e) {
+            fit();
+          }
+        });
+  }
+
+  /** Shows all of a part of the world. */
+  void frame(Framing whole) {
+    framing = whole;
+    Dimension size = getWidth() > 0 ? getSize() : getPreferredSize();
+    view = View.of(framing, size.width, size.height);
+    repaint();
+  }
+
+  /** Shows all of the scene again. */
+  void frameAgain() {
+    frame(framing);
+  }
+
+  /** Shows a line at the top, or none if {@code null}. */
+  void setHint(String hint) {
+    this.hint = hint;
+    repaint();
+  }
+
+  /** Changes what is shown besides the bodies. */
+  void changeLayers(UnaryOperator<Layers> change) {
+    layers = change.apply(layers);
+    repaint();
+  }
+
+  /** Returns how the world is mapped to the canvas. */
+  View view() {
+    return view;
+  }
+
+  /** Throws a disc at the pointer. */
+  void shootAtPointer() {
+    float x = worldX(mouse.x);
+    float y = worldY(mouse.y);
+    commands.accept(interaction -> interaction.shoot(x, y));
+  }
+
+  private void fit() {
+    if (getWidth() > 0 && getHeight() > 0) {
+      view = view.resized(getWidth(), getHeight());
+      repaint();
+    }
+  }
+
+  private float worldX(int x) {
+    return (float) view.toWorldX(x);
+  }
+
+  private float worldY(int y) {
+    return (float) view.toWorldY(y);
+  }
+
+  @Override
+  protected void paintComponent(Graphics graphics) {
+    Snapshot snapshot = source.get();
+    if (snapshot == null) {
+      graphics.setColor(Color.BLACK);
+      graphics.fillRect(0, 0, getWidth(), getHeight());
+      return;
+    }
+    Graphics2D g = (Graphics2D) graphics.create();
+    painter.paint(g, snapshot, view, layers);
+    int below =
+        Overlay.paint(
+            g,
+            Overlay.lines(snapshot.counts(), view, view.toWorldX(mouse.x), view.toWorldY(mouse.y)));
+    StepPlot.paint(g, stepMillis.get(), below);
+    if (hint != null) {
+      Overlay.paintHint(g, hint, getWidth());
+    }
+    g.dispose();
+  }
+
+  /** Left drags bodies, right drags the view, the wheel zooms about the pointer. */
+  private final class Mouse extends MouseAdapter {
+    private boolean holding;
+
+    @Override
+    public void mousePressed(MouseEvent e) {
+      requestFocusInWindow();
+      mouse = e.getPoint();
+      if (!SwingUtilities.isLeftMouseButton(e)) {
+        return;
+      }
+      if (e.isShiftDown()) {
+        shootAtPointer();
+        return;
+      }
+      holding = true;
+      float x = worldX(e.getX());
+      float y = worldY(e.getY());
+      commands.accept(interaction -> interaction.grab(x, y));
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent e) {
+      if (SwingUtilities.isLeftMouseButton(e) && holding) {
+        holding = false;
+        commands.accept(Interaction::release);
+      }
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent e) {
+      if (SwingUtilities.isRightMouseButton(e)) {
+        view = view.dragged(e.getX() - mouse.x, e.getY() - mouse.y);
+      }
+      mouse = e.getPoint();
+      if (holding) {
+        float x = worldX(e.getX());
+        float y = worldY(e.getY());
+        commands.accept(interaction -> interaction.dragTo(x, y));
+      }
+      repaint();
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent e) {
+      mouse = e.getPoint();
+      repaint();
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent e) {
+      double factor = StrictMath.pow(WHEEL_FACTOR, -e.getPreciseWheelRotation());
+      view = view.zoomed(factor, e.getX(), e.getY());
+      repaint();
+    }
+  }
+}

@@ -1,0 +1,133 @@
+package org.jbox2d.testbed.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.jbox2d.testbed.scenes.Scene;
+import org.jbox2d.testbed.scenes.Scenes;
+import org.jbox2d.testbed.simulation.Snapshot;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** The thread beside the window; it needs no display. */
+class SimulationThreadTest {
+  /** A generous limit for a loaded machine; reached only if the test fails, s. */
+  private static final long LIMIT = 30;
+
+  private final BlockingQueue<Snapshot> snapshots = new LinkedBlockingQueue<>();
+  private final Scene scene = Scenes.named("dominoes");
+  private final SimulationThread thread =
+      new SimulationThread(scene, 60f, 1, snapshots::add, Throwable::printStackTrace);
+
+  @AfterEach
+  void close() {
+    thread.close();
+  }
+
+  private Snapshot await(Predicate<Snapshot> wanted) throws InterruptedException {
+    for (; ; ) {
+      Snapshot snapshot = snapshots.poll(LIMIT, TimeUnit.SECONDS);
+      assertNotNull(snapshot, "no further snapshot");
+      if (wanted.test(snapshot)) {
+        return snapshot;
+      }
+    }
+  }
+
+  @Test
+  void stopsAtTheStartAndStepsWhenTold() throws InterruptedException {
+    assertEquals(0, await(s -> true).counts().steps());
+    thread.singleStep();
+    thread.singleStep();
+    assertEquals(1, await(s -> s.counts().steps() > 0).counts().steps());
+    assertEquals(2, await(s -> s.counts().steps() > 1).counts().steps());
+    assertFalse(thread.isGoing());
+  }
+
+  @Test
+  void goesUntilStopped() throws InterruptedException {
+    thread.setGoing(true);
+    await(s -> s.counts().steps() >= 5);
+    thread.setGoing(false);
+    thread.interact(i -> {});
+    thread.reset();
+    await(s -> s.counts().steps() == 0);
+    thread.singleStep();
+    assertEquals(1, await(s -> true).counts().steps());
+  }
+
+  @Test
+  void resetBuildsTheSameSceneAnew() throws InterruptedException {
+    Snapshot start = await(s -> true);
+    thread.setGoing(true);
+    await(s -> s.counts().steps() >= 3);
+    thread.setGoing(false);
+    thread.reset();
+    Snapshot again = await(s -> s.counts().steps() == 0);
+    assertEquals(start.bodyCount(), again.bodyCount());
+    for (int i = 0; i < start.bodyCount(); i++) {
+      assertEquals(start.x(i), again.x(i));
+      assertEquals(start.y(i), again.y(i));
+    }
+  }
+
+  @Test
+  void pastSnapshotsAreKeptForTenSeconds() throws InterruptedException {
+    await(s -> true);
+    for (int i = 0; i < 700; i++) {
+      thread.singleStep();
+    }
+    await(s -> s.counts().steps() == 700);
+    assertEquals(700, thread.past(0).counts().steps());
+    assertEquals(650, thread.past(50).counts().steps());
+    assertEquals(599, thread.pastCount());
+    assertEquals(101, thread.past(100_000).counts().steps());
+    thread.reset();
+    await(s -> s.counts().steps() == 0);
+    assertEquals(0, thread.pastCount());
+  }
+
+  @Test
+  void thrownDiscIsInTheNextSnapshot() throws InterruptedException {
+    int bodies = await(s -> true).bodyCount();
+    thread.interact(i -> i.shoot(0f, 10f));
+    Snapshot after = await(s -> true);
+    assertEquals(bodies + 1, after.bodyCount());
+    // The newest body is painted last; it starts to the left of its target.
+    assertEquals(10f, after.y(bodies));
+    assertEquals(-25f, after.x(bodies));
+  }
+
+  @Test
+  void draggedBodyFollowsThePointerAndIsLetGo() throws InterruptedException {
+    await(s -> true);
+    // The disc of the scene rests on the floor at x = -32.
+    int disc = snapshotIndexOfDisc();
+    thread.interact(i -> i.grab(-32f, 1f));
+    thread.interact(i -> i.dragTo(-32f, 20f));
+    for (int i = 0; i < 120; i++) {
+      thread.singleStep();
+    }
+    Snapshot held = await(s -> s.counts().steps() == 120);
+    assertEquals(1, held.lineCount());
+    assertEquals(20f, held.y(disc), 0.5f);
+    thread.interact(Interaction::release);
+    thread.singleStep();
+    assertEquals(0, await(s -> s.counts().steps() == 121).lineCount());
+  }
+
+  private int snapshotIndexOfDisc() {
+    Snapshot snapshot = thread.latest();
+    for (int i = 0; i < snapshot.bodyCount(); i++) {
+      if (snapshot.outline(i).radius(0) > 0f) {
+        return i;
+      }
+    }
+    throw new AssertionError("no disc");
+  }
+}
