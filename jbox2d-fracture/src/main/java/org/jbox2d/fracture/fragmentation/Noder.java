@@ -44,7 +44,9 @@ final class Noder {
   private double[] splitParameter = new double[64];
   private int[] splitOrder = new int[64];
   private int[] splitScratch = new int[64];
-  private boolean welded;
+
+  /** Whether something was moved, not only cut, in this round. */
+  private boolean bent;
 
   /** Starts anew. Points nearer than {@code snapDistance}, which is far above rounding, are one. */
   void clear(double snapDistance) {
@@ -127,27 +129,57 @@ final class Noder {
   boolean node() {
     for (int round = 0; round < MAXIMUM_ROUNDS; round++) {
       splitCount = 0;
-      welded = false;
+      bent = false;
       grid.build(xy, from, to, count, snap);
-      boolean anyDirty = false;
       for (int s = 0; s < count; s++) {
         if (dirty[s]) {
-          anyDirty = true;
-          int near = grid.query(s);
-          for (int k = 0; k < near; k++) {
-            int t = grid.found(k);
-            if (!dirty[t] || t > s) {
-              compare(s, t);
-            }
-          }
+          compareWithNear(s);
         }
       }
-      if (!anyDirty || (splitCount == 0 && !welded)) {
+      if (splitCount == 0 && !bent) {
         return true;
       }
+      boolean settled = !bent && crossingsAreApart();
       applyChanges();
+      if (settled) {
+        return true;
+      }
     }
     return false;
+  }
+
+  private void compareWithNear(int s) {
+    int near = grid.query(s);
+    for (int k = 0; k < near; k++) {
+      int t = grid.found(k);
+      if (!dirty[t] || t > s) {
+        compare(s, t);
+      }
+    }
+  }
+
+  /**
+   * Whether every new crossing is farther from all segments but its own two than the snapping distance. If nothing was snapped in this
+   * round, that settles the matter. For the parts of a segment s leave s by no more than rounding, so ends of other segments are as far
+   * from them as they were found to be from s; the crossings are apart from other segments by this test, from each other too, since
+   * each lies on two segments; and two parts of crossing segments have the crossing as common end.
+   */
+  private boolean crossingsAreApart() {
+    for (int k = 0; k < splitCount; k += 2) {
+      int node = splitNode[k];
+      double x = xy[2 * node];
+      double y = xy[2 * node + 1];
+      int near = grid.query(x, y);
+      for (int i = 0; i < near; i++) {
+        int t = grid.found(i);
+        if (t != splitSegment[k]
+            && t != splitSegment[k + 1]
+            && Segments.distanceSquared(xy, from[t], to[t], x, y) <= 4 * snap * snap) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   // ---- one pair ----
@@ -169,6 +201,9 @@ final class Noder {
       }
       return;
     }
+    if (isBeside(a, b, c, d) || isBeside(c, d, a, b)) {
+      return;
+    }
     boolean snapped = snap(a, t);
     snapped |= snap(b, t);
     snapped |= snap(c, s);
@@ -176,6 +211,16 @@ final class Noder {
     if (!snapped && crosses(a, b, c, d)) {
       addCrossing(s, t);
     }
+  }
+
+  /** Whether c and d are on the same side of the line a-b and so far from it that neither rounding nor snapping matters. */
+  private boolean isBeside(int a, int b, int c, int d) {
+    double ux = xy[2 * b] - xy[2 * a];
+    double uy = xy[2 * b + 1] - xy[2 * a + 1];
+    double crossC = ux * (xy[2 * c + 1] - xy[2 * a + 1]) - uy * (xy[2 * c] - xy[2 * a]);
+    double crossD = ux * (xy[2 * d + 1] - xy[2 * a + 1]) - uy * (xy[2 * d] - xy[2 * a]);
+    double margin = 2 * snap * (Math.abs(ux) + Math.abs(uy));
+    return (crossC > margin && crossD > margin) || (crossC < -margin && crossD < -margin);
   }
 
   private boolean crosses(int a, int b, int c, int d) {
@@ -199,6 +244,7 @@ final class Noder {
       weld(node, to[s]);
     } else {
       addSplit(s, node);
+      bent = true;
     }
     return true;
   }
@@ -217,7 +263,7 @@ final class Noder {
     int rootP = root(p);
     int rootQ = root(q);
     alias[Math.max(rootP, rootQ)] = Math.min(rootP, rootQ);
-    welded = true;
+    bent = true;
   }
 
   private int root(int p) {

@@ -22,6 +22,7 @@ final class SegmentGrid {
   private int[] start = new int[2];
   private int[] item = new int[64];
   private int[] stamp = new int[64];
+  private int mark;
   private int[] found = new int[64];
 
   /** Takes up segments; the arrays are kept until the next call. */
@@ -34,7 +35,8 @@ final class SegmentGrid {
       stamp = new int[2 * count];
       found = new int[2 * count];
     }
-    Arrays.fill(stamp, 0, count, -1);
+    Arrays.fill(stamp, 0, count, 0);
+    mark = 0;
     frame(count);
     int cells = side * side;
     if (start.length < cells + 1) {
@@ -117,21 +119,27 @@ final class SegmentGrid {
 
   /** Finds the segments near s, s not among them; returns their number. */
   int query(int s) {
-    double minX = minX(s);
-    double maxX = maxX(s);
-    double minY = minY(s);
-    double maxY = maxY(s);
+    stamp[s] = ++mark;
+    return query(minX(s), maxX(s), minY(s), maxY(s));
+  }
+
+  /** Finds the segments near a point; returns their number. */
+  int query(double x, double y) {
+    mark++;
+    return query(x - margin, x + margin, y - margin, y + margin);
+  }
+
+  private int query(double minX, double maxX, double minY, double maxY) {
     int count = 0;
     int c1 = column(maxX);
     int r1 = row(maxY);
-    stamp[s] = s;
     for (int r = row(minY); r <= r1; r++) {
       for (int c = column(minX); c <= c1; c++) {
         int cell = r * side + c;
         for (int k = start[cell]; k < start[cell + 1]; k++) {
           int t = item[k];
-          if (stamp[t] != s) {
-            stamp[t] = s;
+          if (stamp[t] != mark) {
+            stamp[t] = mark;
             if (maxX(t) >= minX && minX(t) <= maxX && maxY(t) >= minY && minY(t) <= maxY) {
               found[count++] = t;
             }

@@ -66,16 +66,23 @@ public final class InCircle {
     if (determinant < -bound) {
       return -1;
     }
-    setDifference(0, ax, dx, adx);
-    setDifference(1, ay, dy, ady);
-    setDifference(2, bx, dx, bdx);
-    setDifference(3, by, dy, bdy);
-    setDifference(4, cx, dx, cdx);
-    setDifference(5, cy, dy, cdy);
+    return exact(ax, ay, bx, by, cx, cy, dx, dy);
+  }
+
+  /** Apart from {@link #sign}, to keep that small enough to be compiled into its callers. */
+  private int exact(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    setDifference(0, ax, dx);
+    setDifference(1, ay, dy);
+    setDifference(2, bx, dx);
+    setDifference(3, by, dy);
+    setDifference(4, cx, dx);
+    setDifference(5, cy, dy);
     return exactSign();
   }
 
-  private void setDifference(int i, double p, double q, double rounded) {
+  private void setDifference(int i, double p, double q) {
+    double rounded = p - q;
     difference[i].setPair(Predicates.differenceTail(p, q, rounded), rounded);
   }
 

@@ -21,28 +21,33 @@ public final class SortedIndices {
   }
 
   /**
-   * Sorts the first n elements of {@code order}, which hold ascending indices, by first key, then
-   * second key, then index.
+   * Sorts the first n elements of {@code order} by first key, then second key; equal ones keep their order.
    *
    * @param scratch room for n elements
    */
   public static void sort(int[] order, int n, double[] first, double[] second, int[] scratch) {
-    for (int start = 0; start < n; start += RUN) {
-      insertionSort(order, start, Math.min(start + RUN, n), first, second);
+    sort(order, 0, n, first, second, scratch);
+  }
+
+  /** The same for the elements {@code start} (inclusive) to {@code end} (exclusive); scratch has room up to there. */
+  public static void sort(
+      int[] order, int start, int end, double[] first, double[] second, int[] scratch) {
+    for (int run = start; run < end; run += RUN) {
+      insertionSort(order, run, Math.min(run + RUN, end), first, second);
     }
     int[] from = order;
     int[] to = scratch;
-    for (int width = RUN; width < n; width *= 2) {
-      for (int start = 0; start < n; start += 2 * width) {
-        int middle = Math.min(start + width, n);
-        merge(from, to, start, middle, Math.min(middle + width, n), first, second);
+    for (int width = RUN; width < end - start; width *= 2) {
+      for (int low = start; low < end; low += 2 * width) {
+        int middle = Math.min(low + width, end);
+        merge(from, to, low, middle, Math.min(middle + width, end), first, second);
       }
       int[] swap = from;
       from = to;
       to = swap;
     }
     if (from != order) {
-      System.arraycopy(from, 0, order, 0, n);
+      System.arraycopy(from, start, order, start, end - start);
     }
   }
 

@@ -10,10 +10,11 @@ import org.jbox2d.fracture.geometry.SortedIndices;
  * index takes part.
  *
  * <p>Source: L. Guibas, J. Stolfi, "Primitives for the Manipulation of General Subdivisions and the
- * Computation of Voronoi Diagrams", ACM Transactions on Graphics 4 (1985), section 9. Points are
- * numbered by <em>rank</em>: their place in lexicographic order (x, then y). An undirected edge is
- * a pair of directed ones, e and {@code e ^ 1}; each knows its origin and its neighbours among the
- * edges of the same origin, counter-clockwise ({@link #next}) and clockwise ({@link #previous}):
+ * Computation of Voronoi Diagrams", ACM Transactions on Graphics 4 (1985), section 9; strips first, so that few long edges are made only
+ * to be deleted again, after R. Dwyer, "A Faster Divide-and-Conquer Algorithm for Constructing Delaunay Triangulations", Algorithmica 2
+ * (1987). Points are numbered by <em>rank</em>: their place in the order of strips, of about the square root of n / log n. An undirected
+ * edge is a pair of directed ones, e and {@code e ^ 1}; each knows its origin and its neighbours among the edges of the same origin,
+ * counter-clockwise ({@link #next}) and clockwise ({@link #previous}):
  *
  * <pre>
  *        next(e)
@@ -31,10 +32,15 @@ import org.jbox2d.fracture.geometry.SortedIndices;
 public final class Delaunay {
   private static final int NONE = -1;
 
+  /** From this number of points on strips are used: each then has two points or more. */
+  private static final int SMALLEST_IN_STRIPS = 16;
+
   private final InCircle inCircle = new InCircle();
 
   private int siteCount;
   private int count;
+  private int stripCount;
+  private int[] first = new int[0];
   private int[] order = new int[0];
   private int[] scratch = new int[0];
   private double[] keyX = new double[0];
@@ -69,7 +75,7 @@ public final class Delaunay {
     leftEdge = NONE;
     rightEdge = NONE;
     if (count > 1) {
-      divide(0, count);
+      divideStrips(0, stripCount);
     }
     for (int e = 0; e < edgeEnd; e++) {
       if (origin[e] >= 0) {
@@ -195,16 +201,58 @@ public final class Delaunay {
       }
     }
     SortedIndices.sort(order, n, keyX, keyY, scratch);
+    dropRepeated(n);
+    sortStrips();
+    for (int rank = 0; rank < count; rank++) {
+      int i = order[rank];
+      siteOfRank[rank] = i;
+      x[rank] = keyX[i];
+      y[rank] = keyY[i];
+      rankOfSite[i] = rank;
+    }
+    for (int i = 0; i < n; i++) {
+      if (first[i] != i) {
+        rankOfSite[i] = rankOfSite[first[i]];
+      }
+    }
+  }
+
+  /** Of equal points, which are neighbours in the order, only the first stays there. */
+  private void dropRepeated(int n) {
     count = 0;
     for (int k = 0; k < n; k++) {
       int i = order[k];
-      if (count == 0 || keyX[i] != x[count - 1] || keyY[i] != y[count - 1]) {
-        x[count] = keyX[i];
-        y[count] = keyY[i];
-        siteOfRank[count++] = i;
+      int kept = count == 0 ? NONE : order[count - 1];
+      if (kept != NONE && keyX[i] == keyX[kept] && keyY[i] == keyY[kept]) {
+        first[i] = kept;
+      } else {
+        first[i] = i;
+        order[count++] = i;
       }
-      rankOfSite[i] = count - 1;
     }
+  }
+
+  /** Cuts the order by x into strips and sorts each by y, then by descending x. */
+  private void sortStrips() {
+    stripCount = 1;
+    while (count >= SMALLEST_IN_STRIPS
+        && stripCount * stripCount * Math.max(1, Math.getExponent((float) count)) < count) {
+      stripCount++;
+    }
+    for (int strip = 0; strip < stripCount; strip++) {
+      int start = stripStart(strip);
+      int end = stripStart(strip + 1);
+      for (int i = start, j = end - 1; i < j; i++, j--) {
+        int swap = order[i];
+        order[i] = order[j];
+        order[j] = swap;
+      }
+      SortedIndices.sort(order, start, end, keyY, keyY, scratch);
+    }
+  }
+
+  private int stripStart(int strip) {
+    return (int) ((long) count * strip / stripCount);
   }
 
   /** Number of points given, repeated ones included. */
@@ -222,6 +270,7 @@ public final class Delaunay {
     keyX = new double[size];
     keyY = new double[size];
     rankOfSite = new int[size];
+    first = new int[size];
     siteOfRank = new int[size];
     x = new double[size];
     y = new double[size];
@@ -290,9 +339,49 @@ public final class Delaunay {
   }
 
   /**
-   * Triangulates the ranks start to end - 1, at least two. Leaves in {@link #leftEdge} the
-   * counter-clockwise hull edge out of the leftmost point, in {@link #rightEdge} the clockwise hull
-   * edge out of the rightmost one.
+   * Triangulates the strips {@code low} to {@code high} - 1. Leaves in {@link #leftEdge} the counter-clockwise hull edge out of the
+   * first point in order of x, then y; in {@link #rightEdge} the clockwise hull edge out of the last one.
+   */
+  private void divideStrips(int low, int high) {
+    if (high - low == 1) {
+      divide(stripStart(low), stripStart(high));
+      if (stripCount > 1) {
+        turnHandles();
+      }
+      return;
+    }
+    int middle = (low + high) >>> 1;
+    divideStrips(low, middle);
+    int outerLeft = leftEdge;
+    int innerLeft = rightEdge;
+    divideStrips(middle, high);
+    merge(outerLeft, innerLeft, leftEdge, rightEdge);
+  }
+
+  /** From the hull edges at the first and last point in a strip's order to those in the order of x, then y. */
+  private void turnHandles() {
+    int lowest = leftEdge;
+    int highest = leftEdge;
+    for (int e = next[leftEdge ^ 1]; e != leftEdge; e = next[e ^ 1]) {
+      if (isBefore(origin[e], origin[lowest])) {
+        lowest = e;
+      }
+      if (isBefore(origin[highest], origin[e])) {
+        highest = e;
+      }
+    }
+    leftEdge = lowest;
+    rightEdge = previous[highest];
+  }
+
+  private boolean isBefore(int p, int q) {
+    return x[p] < x[q] || (x[p] == x[q] && y[p] < y[q]);
+  }
+
+  /**
+   * Triangulates the ranks start to end - 1 of one strip, at least two. Leaves in {@link #leftEdge} the counter-clockwise hull edge out
+   * of the first point, in {@link #rightEdge} the clockwise hull edge out of the last one. Points ordered by y, then descending x,
+   * are ordered by x, then y, for an observer turned by 90 degrees; nothing else in the algorithm depends on the frame.
    */
   private void divide(int start, int end) {
     if (end - start == 2) {
@@ -370,13 +459,23 @@ public final class Delaunay {
   }
 
   /**
+   * Whether a point is inside the circle through the base and the end of candidate e, which then is
+   * not Delaunay.
+   */
+  private boolean hides(int point, int e, int base) {
+    int left = origin[base ^ 1];
+    int right = origin[base];
+    return point != left && point != right && inCircle(left, right, origin[e ^ 1], point) > 0;
+  }
+
+  /**
    * First edge from the base's left end that survives: edges whose circle holds the next one's end
    * are deleted.
    */
   private int leftCandidate(int base) {
     int e = next[base ^ 1];
     if (above(e, base)) {
-      while (inCircle(origin[base ^ 1], origin[base], origin[e ^ 1], origin[next[e] ^ 1]) > 0) {
+      while (hides(origin[next[e] ^ 1], e, base)) {
         int after = next[e];
         deleteEdge(e);
         e = after;
@@ -388,7 +487,7 @@ public final class Delaunay {
   private int rightCandidate(int base) {
     int e = previous[base];
     if (above(e, base)) {
-      while (inCircle(origin[base ^ 1], origin[base], origin[e ^ 1], origin[previous[e] ^ 1]) > 0) {
+      while (hides(origin[previous[e] ^ 1], e, base)) {
         int after = previous[e];
         deleteEdge(e);
         e = after;

@@ -69,7 +69,7 @@ public final class VoronoiDiagram {
   private int cellEnd;
   private final int[] corner = new int[4];
 
-  /** Start and end parameters of the clipped edge, what {@link #clip} returns. */
+  /** Start and end parameters of the clipped edge, what {@link #clipSlab} cuts. */
   private double clipStart;
 
   private double clipEnd;
@@ -361,38 +361,40 @@ public final class VoronoiDiagram {
    * does not tilt the part inside.
    */
   private void makeEdge(int e, int rightFace, int leftFaceOfEdge) {
+    boolean startInside = rightFace != NONE && centreInside(rightFace);
+    boolean endInside = leftFaceOfEdge != NONE && centreInside(leftFaceOfEdge);
+    if (startInside && endInside) {
+      addEdge(e, vertexOfCentre(rightFace), vertexOfCentre(leftFaceOfEdge));
+      return;
+    }
     int a = delaunay.origin(e);
     int b = delaunay.destination(e);
     double nx = -(delaunay.y(b) - delaunay.y(a));
     double ny = delaunay.x(b) - delaunay.x(a);
     double mx = delaunay.x(a) + 0.5 * ny;
     double my = delaunay.y(a) - 0.5 * nx;
-    boolean startInside = rightFace != NONE && centreInside(rightFace);
-    boolean endInside = leftFaceOfEdge != NONE && centreInside(leftFaceOfEdge);
-    double start = parameter(rightFace, mx, my, nx, ny, Double.NEGATIVE_INFINITY);
-    double end = parameter(leftFaceOfEdge, mx, my, nx, ny, Double.POSITIVE_INFINITY);
-    int from;
-    int to;
-    if (startInside && endInside) {
-      from = vertexOfCentre(rightFace);
-      to = vertexOfCentre(leftFaceOfEdge);
-    } else {
-      if (!clip(mx, my, nx, ny, start, end, startInside, endInside)) {
-        return;
-      }
-      from = startInside ? vertexOfCentre(rightFace) : NONE;
-      to = endInside ? vertexOfCentre(leftFaceOfEdge) : NONE;
-      from = from != NONE ? from : borderVertex(mx, my, nx, ny, clipStart, to);
-      to = to != NONE ? to : borderVertex(mx, my, nx, ny, clipEnd, from);
+    clipStart = parameter(rightFace, mx, my, nx, ny, Double.NEGATIVE_INFINITY);
+    clipEnd = parameter(leftFaceOfEdge, mx, my, nx, ny, Double.POSITIVE_INFINITY);
+    boolean hits = clipSlab(mx, nx, minX, maxX) && clipSlab(my, ny, minY, maxY);
+    if (!hits && !startInside && !endInside) {
+      return;
     }
+    int from = startInside ? vertexOfCentre(rightFace) : NONE;
+    int to = endInside ? vertexOfCentre(leftFaceOfEdge) : NONE;
+    from = from != NONE ? from : borderVertex(mx, my, nx, ny, clipStart, to);
+    to = to != NONE ? to : borderVertex(mx, my, nx, ny, clipEnd, from);
+    addEdge(e, from, to);
+  }
+
+  private void addEdge(int e, int from, int to) {
     if (from == to) {
       return;
     }
     edgeOfPair[e >> 1] = edgeCount;
     edgeFrom[edgeCount] = from;
     edgeTo[edgeCount] = to;
-    edgeLeft[edgeCount] = delaunay.siteOfRank(a);
-    edgeRight[edgeCount] = delaunay.siteOfRank(b);
+    edgeLeft[edgeCount] = delaunay.siteOfRank(delaunay.origin(e));
+    edgeRight[edgeCount] = delaunay.siteOfRank(delaunay.destination(e));
     edgeCount++;
   }
 
@@ -411,22 +413,7 @@ public final class VoronoiDiagram {
     return (dx * nx + dy * ny) / (nx * nx + ny * ny);
   }
 
-  /** Cuts the parameters to the rectangle (Liang and Barsky 1984); false if nothing is left. */
-  private boolean clip(
-      double mx,
-      double my,
-      double nx,
-      double ny,
-      double start,
-      double end,
-      boolean startInside,
-      boolean endInside) {
-    clipStart = start;
-    clipEnd = end;
-    boolean hits = clipSlab(mx, nx, minX, maxX) && clipSlab(my, ny, minY, maxY);
-    return hits || startInside || endInside;
-  }
-
+  /** Cuts the parameters to a slab of the rectangle (Liang and Barsky 1984); false if nothing is left. */
   private boolean clipSlab(double m, double n, double low, double high) {
     if (n == 0) {
       return m >= low && m <= high;
