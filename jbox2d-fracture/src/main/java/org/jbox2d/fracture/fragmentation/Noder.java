@@ -159,10 +159,12 @@ final class Noder {
   }
 
   /**
-   * Whether every new crossing is farther from all segments but its own two than the snapping distance. If nothing was snapped in this
-   * round, that settles the matter. For the parts of a segment s leave s by no more than rounding, so ends of other segments are as far
-   * from them as they were found to be from s; the crossings are apart from other segments by this test, from each other too, since
-   * each lies on two segments; and two parts of crossing segments have the crossing as common end.
+   * Whether every new crossing is farther from all segments but its own two than the snapping
+   * distance. If nothing was snapped in this round, that settles the matter. For the parts of a
+   * segment s leave s by no more than rounding, so ends of other segments are as far from them as
+   * they were found to be from s; the crossings are apart from other segments by this test, from
+   * each other too, since each lies on two segments; and two parts of crossing segments have the
+   * crossing as common end.
    */
   private boolean crossingsAreApart() {
     for (int k = 0; k < splitCount; k += 2) {
@@ -213,7 +215,10 @@ final class Noder {
     }
   }
 
-  /** Whether c and d are on the same side of the line a-b and so far from it that neither rounding nor snapping matters. */
+  /**
+   * Whether c and d are on the same side of the line a-b and so far from it that neither rounding
+   * nor snapping matters.
+   */
   private boolean isBeside(int a, int b, int c, int d) {
     double ux = xy[2 * b] - xy[2 * a];
     double uy = xy[2 * b + 1] - xy[2 * a + 1];

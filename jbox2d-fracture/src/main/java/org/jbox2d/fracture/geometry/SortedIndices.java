@@ -21,7 +21,8 @@ public final class SortedIndices {
   }
 
   /**
-   * Sorts the first n elements of {@code order} by first key, then second key; equal ones keep their order.
+   * Sorts the first n elements of {@code order} by first key, then second key; equal ones keep
+   * their order.
    *
    * @param scratch room for n elements
    */
@@ -29,7 +30,10 @@ public final class SortedIndices {
     sort(order, 0, n, first, second, scratch);
   }
 
-  /** The same for the elements {@code start} (inclusive) to {@code end} (exclusive); scratch has room up to there. */
+  /**
+   * The same for the elements {@code start} (inclusive) to {@code end} (exclusive); scratch has
+   * room up to there.
+   */
   public static void sort(
       int[] order, int start, int end, double[] first, double[] second, int[] scratch) {
     for (int run = start; run < end; run += RUN) {

@@ -1,5 +1,6 @@
 package org.jbox2d.fracture.voronoi;
 
+import java.util.Arrays;
 import org.jbox2d.fracture.geometry.InCircle;
 import org.jbox2d.fracture.geometry.Predicates;
 import org.jbox2d.fracture.geometry.SortedIndices;
@@ -10,11 +11,13 @@ import org.jbox2d.fracture.geometry.SortedIndices;
  * index takes part.
  *
  * <p>Source: L. Guibas, J. Stolfi, "Primitives for the Manipulation of General Subdivisions and the
- * Computation of Voronoi Diagrams", ACM Transactions on Graphics 4 (1985), section 9; strips first, so that few long edges are made only
- * to be deleted again, after R. Dwyer, "A Faster Divide-and-Conquer Algorithm for Constructing Delaunay Triangulations", Algorithmica 2
- * (1987). Points are numbered by <em>rank</em>: their place in the order of strips, of about the square root of n / log n. An undirected
- * edge is a pair of directed ones, e and {@code e ^ 1}; each knows its origin and its neighbours among the edges of the same origin,
- * counter-clockwise ({@link #next}) and clockwise ({@link #previous}):
+ * Computation of Voronoi Diagrams", ACM Transactions on Graphics 4 (1985), section 9; strips first,
+ * so that few long edges are made only to be deleted again, after R. Dwyer, "A Faster
+ * Divide-and-Conquer Algorithm for Constructing Delaunay Triangulations", Algorithmica 2 (1987).
+ * Points are numbered by <em>rank</em>: their place in the order of strips, of about the square
+ * root of n / log n. An undirected edge is a pair of directed ones, e and {@code e ^ 1}; each knows
+ * its origin and its neighbours among the edges of the same origin, counter-clockwise ({@link
+ * #next}) and clockwise ({@link #previous}):
  *
  * <pre>
  *        next(e)
@@ -32,14 +35,20 @@ import org.jbox2d.fracture.geometry.SortedIndices;
 public final class Delaunay {
   private static final int NONE = -1;
 
-  /** From this number of points on strips are used: each then has two points or more. */
+  /** From this number of points on strips are used. */
   private static final int SMALLEST_IN_STRIPS = 16;
+
+  /** Least number of distinct points in a strip; two would do. */
+  private static final int SMALLEST_STRIP = 4;
 
   private final InCircle inCircle = new InCircle();
 
   private int siteCount;
   private int count;
   private int stripCount;
+  private int[] stripStart = new int[2];
+  private int[] bucketEnd = new int[1];
+  private int[] bucketed = new int[0];
   private int[] first = new int[0];
   private int[] order = new int[0];
   private int[] scratch = new int[0];
@@ -191,22 +200,26 @@ public final class Delaunay {
   private void sortAndNumber(double[] xy, int n) {
     ensurePoints(n);
     siteCount = n;
+    double minX = Double.POSITIVE_INFINITY;
+    double maxX = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < n; i++) {
-      keyX[i] = xy[2 * i];
-      keyY[i] = xy[2 * i + 1];
-      order[i] = i;
-      if (keyX[i] * 0 + keyY[i] * 0 != 0) {
+      double px = xy[2 * i];
+      double py = xy[2 * i + 1];
+      if (px * 0 + py * 0 != 0) {
         throw new IllegalArgumentException(
-            "site " + i + " is not finite: (" + keyX[i] + ", " + keyY[i] + ")");
+            "site " + i + " is not finite: (" + px + ", " + py + ")");
       }
+      keyX[i] = -px;
+      keyY[i] = py;
+      minX = Math.min(minX, px);
+      maxX = Math.max(maxX, px);
     }
-    SortedIndices.sort(order, n, keyX, keyY, scratch);
-    dropRepeated(n);
-    sortStrips();
+    int buckets = fillBuckets(n, minX, maxX);
+    makeStrips(buckets);
     for (int rank = 0; rank < count; rank++) {
       int i = order[rank];
       siteOfRank[rank] = i;
-      x[rank] = keyX[i];
+      x[rank] = -keyX[i];
       y[rank] = keyY[i];
       rankOfSite[i] = rank;
     }
@@ -217,12 +230,75 @@ public final class Delaunay {
     }
   }
 
-  /** Of equal points, which are neighbours in the order, only the first stays there. */
-  private void dropRepeated(int n) {
+  /**
+   * Distributes the points to buckets of equal width in x, in {@link #bucketed}; returns the number
+   * of buckets.
+   */
+  private int fillBuckets(int n, double minX, double maxX) {
+    int buckets = 1;
+    while (n >= SMALLEST_IN_STRIPS && buckets * buckets * Math.getExponent((float) n) < n) {
+      buckets++;
+    }
+    if (bucketEnd.length < buckets) {
+      bucketEnd = new int[2 * buckets];
+      stripStart = new int[2 * buckets + 1];
+    }
+    Arrays.fill(bucketEnd, 0, buckets, 0);
+    double scale = maxX > minX ? buckets / (maxX - minX) : 0;
+    for (int i = 0; i < n; i++) {
+      int bucket = Math.min(buckets - 1, (int) ((-keyX[i] - minX) * scale));
+      scratch[i] = bucket;
+      bucketEnd[bucket]++;
+    }
+    for (int k = 1; k < buckets; k++) {
+      bucketEnd[k] += bucketEnd[k - 1];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+      bucketed[--bucketEnd[scratch[i]]] = i;
+    }
+    // The ends have become starts: shift them back.
+    for (int k = 0; k + 1 < buckets; k++) {
+      bucketEnd[k] = bucketEnd[k + 1];
+    }
+    bucketEnd[buckets - 1] = n;
+    return buckets;
+  }
+
+  /**
+   * Makes strips of one bucket or, if that has too few distinct points, several. A strip is sorted
+   * by y, then descending x, then index; of equal points only the first stays.
+   */
+  private void makeStrips(int buckets) {
     count = 0;
-    for (int k = 0; k < n; k++) {
+    stripCount = 0;
+    int taken = 0;
+    for (int k = 0; k < buckets; k++) {
+      int start = stripCount == 0 ? 0 : stripStart[stripCount];
+      stripStart[0] = 0;
+      for (; taken < bucketEnd[k]; taken++) {
+        order[count++] = bucketed[taken];
+      }
+      sortStrip(start);
+      if (count - start >= SMALLEST_STRIP) {
+        stripStart[++stripCount] = count;
+      }
+    }
+    int start = stripCount == 0 ? 0 : stripStart[stripCount];
+    if (stripCount == 0) {
+      stripCount = 1;
+    } else if (count > start) {
+      sortStrip(stripStart[stripCount - 1]);
+    }
+    stripStart[stripCount] = count;
+  }
+
+  private void sortStrip(int start) {
+    SortedIndices.sort(order, start, count, keyY, keyX, scratch);
+    int end = count;
+    count = start;
+    for (int k = start; k < end; k++) {
       int i = order[k];
-      int kept = count == 0 ? NONE : order[count - 1];
+      int kept = count == start ? NONE : order[count - 1];
       if (kept != NONE && keyX[i] == keyX[kept] && keyY[i] == keyY[kept]) {
         first[i] = kept;
       } else {
@@ -230,29 +306,6 @@ public final class Delaunay {
         order[count++] = i;
       }
     }
-  }
-
-  /** Cuts the order by x into strips and sorts each by y, then by descending x. */
-  private void sortStrips() {
-    stripCount = 1;
-    while (count >= SMALLEST_IN_STRIPS
-        && stripCount * stripCount * Math.max(1, Math.getExponent((float) count)) < count) {
-      stripCount++;
-    }
-    for (int strip = 0; strip < stripCount; strip++) {
-      int start = stripStart(strip);
-      int end = stripStart(strip + 1);
-      for (int i = start, j = end - 1; i < j; i++, j--) {
-        int swap = order[i];
-        order[i] = order[j];
-        order[j] = swap;
-      }
-      SortedIndices.sort(order, start, end, keyY, keyY, scratch);
-    }
-  }
-
-  private int stripStart(int strip) {
-    return (int) ((long) count * strip / stripCount);
   }
 
   /** Number of points given, repeated ones included. */
@@ -271,6 +324,7 @@ public final class Delaunay {
     keyY = new double[size];
     rankOfSite = new int[size];
     first = new int[size];
+    bucketed = new int[size];
     siteOfRank = new int[size];
     x = new double[size];
     y = new double[size];
@@ -339,12 +393,13 @@ public final class Delaunay {
   }
 
   /**
-   * Triangulates the strips {@code low} to {@code high} - 1. Leaves in {@link #leftEdge} the counter-clockwise hull edge out of the
-   * first point in order of x, then y; in {@link #rightEdge} the clockwise hull edge out of the last one.
+   * Triangulates the strips {@code low} to {@code high} - 1. Leaves in {@link #leftEdge} the
+   * counter-clockwise hull edge out of the first point in order of x, then y; in {@link #rightEdge}
+   * the clockwise hull edge out of the last one.
    */
   private void divideStrips(int low, int high) {
     if (high - low == 1) {
-      divide(stripStart(low), stripStart(high));
+      divide(stripStart[low], stripStart[high]);
       if (stripCount > 1) {
         turnHandles();
       }
@@ -358,7 +413,10 @@ public final class Delaunay {
     merge(outerLeft, innerLeft, leftEdge, rightEdge);
   }
 
-  /** From the hull edges at the first and last point in a strip's order to those in the order of x, then y. */
+  /**
+   * From the hull edges at the first and last point in a strip's order to those in the order of x,
+   * then y.
+   */
   private void turnHandles() {
     int lowest = leftEdge;
     int highest = leftEdge;
@@ -379,9 +437,10 @@ public final class Delaunay {
   }
 
   /**
-   * Triangulates the ranks start to end - 1 of one strip, at least two. Leaves in {@link #leftEdge} the counter-clockwise hull edge out
-   * of the first point, in {@link #rightEdge} the clockwise hull edge out of the last one. Points ordered by y, then descending x,
-   * are ordered by x, then y, for an observer turned by 90 degrees; nothing else in the algorithm depends on the frame.
+   * Triangulates the ranks start to end - 1 of one strip, at least two. Leaves in {@link #leftEdge}
+   * the counter-clockwise hull edge out of the first point, in {@link #rightEdge} the clockwise
+   * hull edge out of the last one. Points ordered by y, then descending x, are ordered by x, then
+   * y, for an observer turned by 90 degrees; nothing else in the algorithm depends on the frame.
    */
   private void divide(int start, int end) {
     if (end - start == 2) {

@@ -38,6 +38,24 @@ public final class VoronoiDiagram {
    */
   private static final double SAME_POINT = 0x1p-46;
 
+  /**
+   * Sine of the angle between two sides of a triangle above which its circumcentre is known to a
+   * relative error of about 2^-52 over this, even if the differences of coordinates were rounded.
+   */
+  private static final double WELL_SHAPED = 1e-6;
+
+  /**
+   * Centres of well-shaped triangles that differ by more than this share of the radius are not the
+   * same; rounding is below 1e-9.
+   */
+  private static final double SAME_CENTRE = 1e-7;
+
+  /**
+   * Sine that stands for those too small to be told from zero: the centre is so far away that only
+   * its direction matters.
+   */
+  private static final double LEAST_CROSS = 1e-25;
+
   private final Delaunay delaunay = new Delaunay();
   private double minX;
   private double minY;
@@ -48,6 +66,7 @@ public final class VoronoiDiagram {
   private int faceCount;
   private int[] leftFace = new int[0];
   private int[] faceEdge = new int[0];
+  private boolean[] wellShaped = new boolean[0];
   private int[] faceParent = new int[0];
   private double[] centre = new double[0];
   private int[] centreVertex = new int[0];
@@ -193,6 +212,7 @@ public final class VoronoiDiagram {
       leftFace = new int[size];
       faceEdge = new int[size];
       faceParent = new int[size];
+      wellShaped = new boolean[size];
       centre = new double[2 * size];
       centreVertex = new int[size];
       edgeOfPair = new int[size / 2 + 1];
@@ -254,22 +274,38 @@ public final class VoronoiDiagram {
 
   /** Triangles whose circumcircles are the same become one face, so that they have one centre. */
   private void uniteCocircularFaces() {
+    for (int f = 0; f < faceCount; f++) {
+      computeCentre(f);
+    }
     int directed = delaunay.edgeEnd();
     for (int e = 0; e < directed; e += 2) {
       if (delaunay.isEdge(e)
           && leftFace[e] != NONE
           && leftFace[e + 1] != NONE
+          && mayBeCocircular(e)
           && delaunay.inCircleSign(e) == 0) {
         int f = root(leftFace[e]);
         int g = root(leftFace[e + 1]);
         faceParent[Math.max(f, g)] = Math.min(f, g);
       }
     }
-    for (int f = 0; f < faceCount; f++) {
-      if (root(f) == f) {
-        computeCentre(f);
-      }
+  }
+
+  /**
+   * False if the centres on both sides of an edge are known well and differ by far more than
+   * rounding.
+   */
+  private boolean mayBeCocircular(int e) {
+    int f = leftFace[e];
+    int g = leftFace[e + 1];
+    if (!wellShaped[f] || !wellShaped[g]) {
+      return true;
     }
+    double dx = centre[2 * f] - centre[2 * g];
+    double dy = centre[2 * f + 1] - centre[2 * g + 1];
+    double rx = centre[2 * f] - delaunay.x(delaunay.origin(e));
+    double ry = centre[2 * f + 1] - delaunay.y(delaunay.origin(e));
+    return dx * dx + dy * dy <= SAME_CENTRE * SAME_CENTRE * (rx * rx + ry * ry);
   }
 
   private int root(int f) {
@@ -308,7 +344,15 @@ public final class VoronoiDiagram {
     double vy = delaunay.y(c) - delaunay.y(a);
     double uu = ux * ux + uy * uy;
     double vv = vx * vx + vy * vy;
-    double twiceCross = 2 * Predicates.crossValue(ux, vy, uy, vx);
+    double cross = Predicates.crossValue(ux, vy, uy, vx);
+    double product = uu * vv;
+    wellShaped[face] = cross * cross > WELL_SHAPED * WELL_SHAPED * product;
+    if (!wellShaped[face]) {
+      // The differences may have been rounded; then the sign may be lost, but the triangle is known
+      // to have an area.
+      cross = Math.max(cross, LEAST_CROSS * Math.sqrt(product));
+    }
+    double twiceCross = 2 * cross;
     double cx = delaunay.x(a) + (vy * uu - uy * vv) / twiceCross;
     double cy = delaunay.y(a) + (ux * vv - vx * uu) / twiceCross;
     centre[2 * face] = ontoBorder(cx, minX, maxX);
@@ -413,7 +457,10 @@ public final class VoronoiDiagram {
     return (dx * nx + dy * ny) / (nx * nx + ny * ny);
   }
 
-  /** Cuts the parameters to a slab of the rectangle (Liang and Barsky 1984); false if nothing is left. */
+  /**
+   * Cuts the parameters to a slab of the rectangle (Liang and Barsky 1984); false if nothing is
+   * left.
+   */
   private boolean clipSlab(double m, double n, double low, double high) {
     if (n == 0) {
       return m >= low && m <= high;
