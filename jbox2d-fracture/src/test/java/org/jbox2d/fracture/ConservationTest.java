@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.jbox2d.collision.shapes.CircleShape;
+import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyType;
@@ -168,9 +169,9 @@ class ConservationTest {
         .setListener(
             (m, intensity, pieces) -> deepest[0] = Math.max(deepest[0], Overlap.deepest(pieces)));
     Range.step(world, 60f, 1f);
-    // The skins of two pieces together are one slop; the cores share edges and are rounded to
-    // floats.
-    assertTrue(deepest[0] < 1e-4, "cores overlap by " + deepest[0] + " m");
+    // Each piece merges vertices nearer than 0.6 slops on its own, so a corner may stick out by less than that; the skins of two
+    // pieces together are a slop, and a slop is what a resting contact keeps.
+    assertTrue(deepest[0] < 0.6 * Settings.linearSlop, "cores overlap by " + deepest[0] + " m");
     assertTrue(FractureSystem.of(world).getFractureCount() > 0);
   }
 

@@ -10,6 +10,7 @@ import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.joints.Joint;
+import org.jbox2d.fracture.Material;
 
 /**
  * Carries a plan out: replaces a body by its pieces.
@@ -30,9 +31,10 @@ public final class Assembler {
   /**
    * Carries out a plan that breaks something.
    *
+   * @param splinterMaterial material of the splinters; may be {@code null}
    * @return the bodies made: what stays first, then the splinters
    */
-  public static List<Body> carryOut(World world, Plan plan) {
+  public static List<Body> carryOut(World world, Plan plan, Material splinterMaterial) {
     Body old = plan.request.body;
     Motion motion = new Motion(old);
     List<Cluster> clusters = Clusters.of(plan);
@@ -49,7 +51,7 @@ public final class Assembler {
       Body body = world.createBody(definition(old, BodyType.DYNAMIC));
       FixtureDef def = template(plan.request.fixture);
       def.density *= splinter.densityFactor;
-      def.material = plan.request.material.m_fragments;
+      def.material = splinterMaterial;
       body.createFixture(def, splinter);
       made.add(body);
     }

@@ -2,6 +2,7 @@ package org.jbox2d.fracture.assembly;
 
 import java.util.Collections;
 import java.util.List;
+import org.jbox2d.dynamics.CompoundShape;
 import org.jbox2d.fracture.impact.Request;
 
 /** What a fracture will do, worked out before anything is changed. */
@@ -55,6 +56,26 @@ public final class Plan {
   static Plan breaks(
       Request request, Breakable breakable, List<Piece> remainders, List<Piece> splinters) {
     return new Plan(request, Outcome.BREAKS, "", breakable, remainders, splinters);
+  }
+
+  /** Returns how many splinters there are; their bodies come last in the list of bodies made. */
+  public int splinterCount() {
+    return splinters.size();
+  }
+
+  /** Whether a compound is one of the pieces of this plan. */
+  public boolean made(CompoundShape compound) {
+    for (Piece piece : remainders) {
+      if (piece == compound) {
+        return true;
+      }
+    }
+    for (Piece piece : splinters) {
+      if (piece == compound) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Whether the blow's rest is given back: it broke something, or tore it loose. */

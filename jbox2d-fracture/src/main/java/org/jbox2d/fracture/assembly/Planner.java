@@ -1,6 +1,7 @@
 package org.jbox2d.fracture.assembly;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.jbox2d.collision.shapes.Shape;
@@ -17,6 +18,7 @@ import org.jbox2d.fracture.fragmentation.ImpactRegion;
 import org.jbox2d.fracture.fragmentation.PieceLimits;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.impact.Request;
+import org.jbox2d.fracture.impact.Strike;
 
 /**
  * Works out a fracture: outline, sites, cells, fragmentation, convex parts, checks. A pure function
@@ -48,6 +50,7 @@ public final class Planner {
   private final Fragmenter fragmenter = new Fragmenter();
   private final PartShapes partShapes = new PartShapes();
   private double[] sites = new double[0];
+  private int siteCount;
 
   /** Works out what a request comes to. */
   public Plan plan(Request request, long seed, float minimumArea) {
@@ -71,63 +74,106 @@ public final class Planner {
   }
 
   private Plan breakUp(Request request, Breakable breakable, long seed) {
-    Material material = request.material;
-    Vec2[] points =
-        material.focee(request.point.clone(), request.vector.clone(), new SiteRandom(seed));
-    String defect = takeSites(points);
-    if (defect != null) {
-      return Plan.failed(request, defect);
+    siteCount = 0;
+    List<ImpactRegion> regions = new ArrayList<>();
+    SiteRandom random = new SiteRandom(seed);
+    for (Strike strike : request.strikes) {
+      Vec2[] points =
+          request.material.focee(strike.point.clone(), strike.vector.clone(), random);
+      String defect = takeSites(points);
+      if (defect != null) {
+        return Plan.failed(request, defect);
+      }
+      regions.add(regionOf(strike, request.material));
     }
     Fragmentation result =
-        fragmenter.fragment(
-            breakable.outline,
-            sites,
-            points.length,
-            Collections.singletonList(regionOf(request)),
-            new PieceLimits(LEAST_AREA_SHARE, LEAST_WIDTH_IN_SLOPS * Settings.linearSlop));
+        fragmenter.fragment(breakable.outline, sites, siteCount, regions, limits());
     if (result.status() == FragmentationStatus.NOTHING_BREAKS) {
       return Plan.without(request, Plan.Outcome.HOLDS);
     }
     if (result.status().isFailure()) {
       return Plan.failed(request, result.status() + " " + result.reason());
     }
-    return shape(request, breakable, result);
+    return shape(request, breakable, result.remainders(), outlinesOf(result.fragments()));
+  }
+
+  /**
+   * Works out a cut along a polyline: the largest piece stays, the others come off.
+   *
+   * @param polyline interleaved coordinates in the body's frame
+   */
+  public Plan cut(Request request, double[] polyline) {
+    Breakable breakable = Breakable.of(request.fixture);
+    if (breakable == null) {
+      return Plan.without(request, Plan.Outcome.HOLDS);
+    }
+    Fragmentation result = fragmenter.cut(breakable.outline, polyline, limits());
+    if (result.status().isFailure()) {
+      return Plan.failed(request, result.status() + " " + result.reason());
+    }
+    List<Outline> pieces = outlinesOf(result.fragments());
+    if (pieces.size() < 2) {
+      return Plan.without(request, Plan.Outcome.HOLDS);
+    }
+    Outline largest = pieces.get(0);
+    for (Outline piece : pieces) {
+      if (piece.area() > largest.area()) {
+        largest = piece;
+      }
+    }
+    pieces.remove(largest);
+    return shape(request, breakable, Collections.singletonList(largest), pieces);
+  }
+
+  private static PieceLimits limits() {
+    return new PieceLimits(LEAST_AREA_SHARE, LEAST_WIDTH_IN_SLOPS * Settings.linearSlop);
+  }
+
+  private static List<Outline> outlinesOf(List<Fragment> fragments) {
+    List<Outline> outlines = new ArrayList<>(fragments.size());
+    for (Fragment fragment : fragments) {
+      outlines.add(fragment.outline());
+    }
+    return outlines;
   }
 
   private String takeSites(Vec2[] points) {
     if (points == null || points.length == 0) {
       return "the material gave no sites";
     }
-    if (sites.length < 2 * points.length) {
-      sites = new double[2 * points.length];
+    int needed = 2 * (siteCount + points.length);
+    if (sites.length < needed) {
+      sites = Arrays.copyOf(sites, needed);
     }
-    for (int i = 0; i < points.length; i++) {
-      Vec2 p = points[i];
+    for (Vec2 p : points) {
       if (p == null || !Float.isFinite(p.x) || !Float.isFinite(p.y)) {
         return "the material gave a site that is not finite: " + p;
       }
-      sites[2 * i] = p.x;
-      sites[2 * i + 1] = p.y;
+      sites[2 * siteCount] = p.x;
+      sites[2 * siteCount + 1] = p.y;
+      siteCount++;
     }
     return null;
   }
 
-  private static ImpactRegion regionOf(Request r) {
-    double radius = r.material.m_radius;
-    double way = r.vector.length() * r.blow.dt();
+  private static ImpactRegion regionOf(Strike strike, Material material) {
+    double radius = material.m_radius;
+    double way = strike.vector.length() * strike.dt;
     double depth = Math.max(REACH_IN_STEPS * way, radius);
-    return new ImpactRegion(r.point.x, r.point.y, r.vector.x, r.vector.y, radius, depth);
+    return new ImpactRegion(
+        strike.point.x, strike.point.y, strike.vector.x, strike.vector.y, radius, depth);
   }
 
-  private Plan shape(Request request, Breakable breakable, Fragmentation result) {
+  private Plan shape(
+      Request request, Breakable breakable, List<Outline> staying, List<Outline> leaving) {
     List<Piece> remainders = new ArrayList<>();
     List<Piece> splinters = new ArrayList<>();
     try {
-      for (Outline outline : result.remainders()) {
+      for (Outline outline : staying) {
         remainders.add(pieceOf(outline, breakable));
       }
-      for (Fragment fragment : result.fragments()) {
-        splinters.add(pieceOf(fragment.outline(), breakable));
+      for (Outline outline : leaving) {
+        splinters.add(pieceOf(outline, breakable));
       }
     } catch (IllegalArgumentException e) {
       return Plan.failed(request, "a piece has no convex parts: " + e.getMessage());

@@ -1,40 +1,49 @@
 package org.jbox2d.fracture.impact;
 
-import org.jbox2d.common.Vec2;
+import java.util.List;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.fracture.Material;
 
-/** The strongest blow on a body in a step: which fixture it is to break, where, and by what. */
+/** One fracture that is called for: all strikes of a step on what breaks as one. */
 public final class Request {
   public final Body body;
+
+  /** The fixture that was struck hardest. */
   public final Fixture fixture;
+
+  /** Its material. */
   public final Material material;
-  public final Blow blow;
 
-  /** Where the blow struck, in the body's frame, m. */
-  public final Vec2 point = new Vec2();
+  /** Impulse of the hardest blow, summed over the contacts of what breaks with one striking body, N s. */
+  public final float intensity;
 
-  /** Velocity of the striking body relative to the struck one, in the body's frame, m/s. */
-  public final Vec2 vector = new Vec2();
+  /** The hardest first. */
+  public final List<Strike> strikes;
 
-  public Request(Fixture fixture, Material material, Blow blow) {
-    this.fixture = fixture;
-    this.material = material;
-    this.blow = blow;
-    body = fixture.getBody();
-    Vec2 world = new Vec2();
-    blow.strikingPoint(world);
-    blow.impactVelocity(body, world, vector);
-    blow.toFrameOf(body, world, point);
-    blow.turnToFrameOf(body, vector, vector);
+  Request(Strike hardest, float intensity, List<Strike> strikes) {
+    body = hardest.fixture.getBody();
+    fixture = hardest.fixture;
+    material = hardest.material;
+    this.intensity = intensity;
+    this.strikes = strikes;
   }
 
-  /** Whether the body and the fixture are still there. */
-  public boolean isLive() {
-    return body.m_world != null
-        && fixture.m_body == body
-        && blow.bodyA.m_world != null
-        && blow.bodyB.m_world != null;
+  private Request(Request other, Material material) {
+    body = other.body;
+    fixture = other.fixture;
+    this.material = material;
+    intensity = other.intensity;
+    strikes = other.strikes;
+  }
+
+  /** The hardest of the strikes. */
+  public Strike hardest() {
+    return strikes.get(0);
+  }
+
+  /** Returns this request with another material. */
+  public Request with(Material other) {
+    return new Request(this, other);
   }
 }
