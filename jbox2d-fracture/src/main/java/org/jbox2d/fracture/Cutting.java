@@ -14,7 +14,10 @@ import org.jbox2d.fracture.impact.Request;
 import org.jbox2d.fracture.impact.RequestBook;
 import org.jbox2d.fracture.impact.Strike;
 
-/** One cut through a body: its breakables one after the other. All pieces share the body's frame, so the polyline serves for all. */
+/**
+ * One cut through a body: its breakables one after the other. All pieces share the body's frame, so
+ * the polyline serves for all.
+ */
 final class Cutting {
   private final FractureSystem system;
   private final World world;
@@ -32,7 +35,8 @@ final class Cutting {
     List<Body> bodies = new ArrayList<>();
     bodies.add(body);
     boolean cut = false;
-    // What has been cut is behind i; a cut may add bodies, and a body may have several fixtures to cut.
+    // What has been cut is behind i; a cut may add bodies, and a body may have several fixtures to
+    // cut.
     for (int i = 0; i < bodies.size(); i++) {
       List<Object> done = new ArrayList<>();
       for (Fixture f = next(bodies.get(i), done); f != null; f = next(bodies.get(i), done)) {

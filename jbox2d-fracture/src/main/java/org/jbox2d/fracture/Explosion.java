@@ -11,11 +11,13 @@ import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.World;
 
 /**
- * One explosion. It goes out as evenly spaced rays, each of which strikes the first fixture it meets.
+ * One explosion. It goes out as evenly spaced rays, each of which strikes the first fixture it
+ * meets.
  *
- * <p>In the plane a blast spreads over a circle, so that its impulse on a surface of length l at distance d, {@code I l / d}, is that on the
- * angle the surface takes up as seen from the center: each ray carries {@code I 2 pi / n}, less the share {@code d / radius} that is lost on
- * the way. All rays on a fixture together are one strike, at the mean of their points.
+ * <p>In the plane a blast spreads over a circle, so that its impulse on a surface of length l at
+ * distance d, {@code I l / d}, is that on the angle the surface takes up as seen from the center:
+ * each ray carries {@code I 2 pi / n}, less the share {@code d / radius} that is lost on the way.
+ * All rays on a fixture together are one strike, at the mean of their points.
  */
 final class Explosion {
   /** Rays; at the edge of an explosion of radius 10 m they are 0.17 m apart. */
@@ -50,7 +52,10 @@ final class Explosion {
     return pushes.size();
   }
 
-  /** A fixture that the center is in takes what goes out towards its walls; seen as a whole that is no push, but it can break it. */
+  /**
+   * A fixture that the center is in takes what goes out towards its walls; seen as a whole that is
+   * no push, but it can break it.
+   */
   private void strikeAround() {
     AABB at = new AABB();
     at.lowerBound.set(center);
@@ -74,8 +79,7 @@ final class Explosion {
     FirstHit hit = new FirstHit();
     world.raycast(hit, center, end);
     if (hit.fixture != null) {
-      float strength =
-          (float) (impulse * (2 * Math.PI / RAYS)) * (1f - hit.fraction);
+      float strength = (float) (impulse * (2 * Math.PI / RAYS)) * (1f - hit.fraction);
       pushOf(hit.fixture).add(x * strength, y * strength, strength, hit.point);
     }
   }

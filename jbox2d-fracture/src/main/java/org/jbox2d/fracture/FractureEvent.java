@@ -10,7 +10,10 @@ import org.jbox2d.fracture.assembly.Piece;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.impact.Request;
 
-/** A fracture that has happened. All bodies share the frame of the old one: origin, angle and local coordinates are the same. */
+/**
+ * A fracture that has happened. All bodies share the frame of the old one: origin, angle and local
+ * coordinates are the same.
+ */
 public final class FractureEvent {
   private final FractureCause cause;
   private final Request request;
@@ -30,7 +33,10 @@ public final class FractureEvent {
     return cause;
   }
 
-  /** Returns the body that broke. It is the first of the remainders if something stayed; else it has been destroyed. */
+  /**
+   * Returns the body that broke. It is the first of the remainders if something stayed; else it has
+   * been destroyed.
+   */
   public Body body() {
     return request.body;
   }
@@ -61,9 +67,10 @@ public final class FractureEvent {
   }
 
   /**
-   * Returns the outlines of the pieces of a body, in the frame of the old body, which is its own too: for each piece its outer ring, counter-
-   * clockwise, then its holes, clockwise. With it a game can map the texture of the old body onto the pieces. Empty for fixtures that
-   * have never broken.
+   * Returns the outlines of the pieces of a body, in the frame of the old body, which is its own
+   * too: for each piece its outer ring, counter- clockwise, then its holes, clockwise. With it a
+   * game can map the texture of the old body onto the pieces. Empty for fixtures that have never
+   * broken.
    */
   public static List<List<Vec2[]>> outlinesOf(Body body) {
     List<List<Vec2[]>> outlines = new ArrayList<>();

@@ -11,7 +11,8 @@ public interface FractureListener {
    *
    * @param material material by which it broke; {@code null} for a cut of a body without one
    * @param intensity impulse of the blow, N s; 0 for a cut
-   * @param fragments the bodies it broke into: remainders first, then splinters. A remainder may be the old body itself
+   * @param fragments the bodies it broke into: remainders first, then splinters. A remainder may be
+   *     the old body itself
    */
   void action(Material material, float intensity, List<Body> fragments);
 

@@ -5,7 +5,10 @@ import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.fracture.impact.Request;
 
-/** A fracture that is about to happen; a listener may call it off or change the material by which the body breaks. */
+/**
+ * A fracture that is about to happen; a listener may call it off or change the material by which
+ * the body breaks.
+ */
 public final class FractureProposal {
   private final FractureCause cause;
   private Request request;
@@ -35,7 +38,10 @@ public final class FractureProposal {
     return request.material;
   }
 
-  /** Sets the material by which it will break: its sites, its radius, and the material of its splinters. */
+  /**
+   * Sets the material by which it will break: its sites, its radius, and the material of its
+   * splinters.
+   */
   public void setMaterial(Material material) {
     if (material == null) {
       throw new IllegalArgumentException("material is null");

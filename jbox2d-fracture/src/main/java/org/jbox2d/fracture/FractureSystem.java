@@ -19,12 +19,13 @@ import org.jbox2d.fracture.impact.RequestBook;
 import org.jbox2d.fracture.impact.Strike;
 
 /**
- * What a world has of fracture: listener, seed, limits and workspaces. It is there as soon as it is asked for, or as a fixture with a {@link
- * Material} is struck; nothing is shared between worlds.
+ * What a world has of fracture: listener, seed, limits and workspaces. It is there as soon as it is
+ * asked for, or as a fixture with a {@link Material} is struck; nothing is shared between worlds.
  *
- * <p>During a step it records the blows that exceed the rigidity of the struck fixture. At the end of the step, when the world is no
- * longer locked, it breaks these bodies in the order in which they were first struck, each at most once ({@link #breakRecorded}). Besides
- * collisions a game can {@link #strike}, {@link #cut} and {@link #explode}.
+ * <p>During a step it records the blows that exceed the rigidity of the struck fixture. At the end
+ * of the step, when the world is no longer locked, it breaks these bodies in the order in which
+ * they were first struck, each at most once ({@link #breakRecorded}). Besides collisions a game can
+ * {@link #strike}, {@link #cut} and {@link #explode}.
  */
 public final class FractureSystem {
   /** Default of {@link #setMinimumArea}, m^2. */
@@ -57,7 +58,8 @@ public final class FractureSystem {
     return world.extension(FractureSystem.class, FractureSystem::new);
   }
 
-  // --- Recording, while the world is locked ---------------------------------------------------------------------------------
+  // --- Recording, while the world is locked
+  // ---------------------------------------------------------------------------------
 
   /** Records a blow if it is hard enough to matter. */
   void record(Fixture fixture, Material material, SolvedContact solved) {
@@ -76,7 +78,8 @@ public final class FractureSystem {
     book.add(new Strike(fixture, material, blow));
   }
 
-  // --- Breaking, after the step ---------------------------------------------------------------------------------------------
+  // --- Breaking, after the step
+  // ---------------------------------------------------------------------------------------------
 
   /** Breaks what the blows of the step call for. */
   private void breakRecorded() {
@@ -84,8 +87,8 @@ public final class FractureSystem {
   }
 
   /**
-   * Plans all fractures first, which changes nothing; gives back what the broken bodies did not take of the blows; then replaces each
-   * body by its pieces; then tells the listener.
+   * Plans all fractures first, which changes nothing; gives back what the broken bodies did not
+   * take of the blows; then replaces each body by its pieces; then tells the listener.
    */
   private List<Body> carryOut(FractureCause cause, List<Request> requests) {
     List<Plan> plans = plan(cause, requests);
@@ -130,7 +133,8 @@ public final class FractureSystem {
   }
 
   /**
-   * One contact, one z: if it broke both of its bodies, the larger share acts. A blow that broke nothing is left alone.
+   * One contact, one z: if it broke both of its bodies, the larger share acts. A blow that broke
+   * nothing is left alone.
    */
   private void giveBack(List<Plan> plans) {
     List<Blow> done = new ArrayList<>();
@@ -200,17 +204,20 @@ public final class FractureSystem {
     }
   }
 
-  // --- Commands -------------------------------------------------------------------------------------------------------------
+  // --- Commands
+  // -------------------------------------------------------------------------------------------------------------
 
   /**
-   * Strikes a fixture. If the impulse exceeds the rigidity of its material, the fixture breaks as by a collision: the impulse p that breaking
-   * costs moves the body, the rest goes through it. Otherwise the whole impulse moves the body.
+   * Strikes a fixture. If the impulse exceeds the rigidity of its material, the fixture breaks as
+   * by a collision: the impulse p that breaking costs moves the body, the rest goes through it.
+   * Otherwise the whole impulse moves the body.
    *
    * @param point world point, m
    * @param impulse world impulse, N s; its direction is that of the impact
    * @return the bodies the fixture's body broke into, remainders first; empty if it held
    * @throws IllegalStateException if the world is locked
-   * @throws IllegalArgumentException if the fixture is of no body of this world, or a value is not finite
+   * @throws IllegalArgumentException if the fixture is of no body of this world, or a value is not
+   *     finite
    */
   public List<Body> strike(Fixture fixture, Vec2 point, Vec2 impulse) {
     return strike(FractureCause.STRIKE, fixture, point, impulse);
@@ -253,8 +260,9 @@ public final class FractureSystem {
   }
 
   /**
-   * Cuts a body along a polyline. Where a cut does not go through, nothing comes off. The largest piece of each fixture stays the body; the
-   * others become bodies of their own, dynamic, of the same material.
+   * Cuts a body along a polyline. Where a cut does not go through, nothing comes off. The largest
+   * piece of each fixture stays the body; the others become bodies of their own, dynamic, of the
+   * same material.
    *
    * @param polyline world points, at least two
    * @return the bodies, the old one first; empty if nothing was cut
@@ -280,13 +288,13 @@ public final class FractureSystem {
   }
 
   /**
-   * Sets off an explosion: pushes bodies away from a point and breaks what it exceeds. It goes out in straight rays; what stands behind
-   * something is in its shadow.
+   * Sets off an explosion: pushes bodies away from a point and breaks what it exceeds. It goes out
+   * in straight rays; what stands behind something is in its shadow.
    *
    * @param center world point, m
    * @param radius how far it reaches, m; positive
-   * @param impulse impulse on each metre of a surface that faces the center at a distance of 1 m, N s/m; not negative. It falls off with the
-   *     distance d as {@code (1 - d / radius) / d}
+   * @param impulse impulse on each metre of a surface that faces the center at a distance of 1 m, N
+   *     s/m; not negative. It falls off with the distance d as {@code (1 - d / radius) / d}
    * @return how many fixtures it has struck
    * @throws IllegalStateException if the world is locked
    * @throws IllegalArgumentException if a value is not allowed
@@ -337,7 +345,8 @@ public final class FractureSystem {
     }
   }
 
-  // --- Properties -----------------------------------------------------------------------------------------------------------
+  // --- Properties
+  // -----------------------------------------------------------------------------------------------------------
 
   /** Sets who hears of fractures; may be {@code null}. */
   public void setListener(FractureListener listener) {
@@ -349,7 +358,9 @@ public final class FractureSystem {
     return listener;
   }
 
-  /** Sets the seed of the materials' sites. The same seed and the same calls give the same pieces. */
+  /**
+   * Sets the seed of the materials' sites. The same seed and the same calls give the same pieces.
+   */
   public void setSeed(long seed) {
     this.seed = seed;
   }
@@ -360,8 +371,9 @@ public final class FractureSystem {
   }
 
   /**
-   * Sets the area below which a body does not break, m^2. For pieces of bodies smaller than ten times that, a tenth of the area of the
-   * body that first broke takes its place, so that small bodies break too. A static body below it comes loose instead.
+   * Sets the area below which a body does not break, m^2. For pieces of bodies smaller than ten
+   * times that, a tenth of the area of the body that first broke takes its place, so that small
+   * bodies break too. A static body below it comes loose instead.
    *
    * @throws IllegalArgumentException if it is negative or not finite
    */
@@ -378,8 +390,8 @@ public final class FractureSystem {
   }
 
   /**
-   * Sets how many bodies the world may have; a fracture that would make more does not happen, and its blow stays an ordinary blow. No limit
-   * by default.
+   * Sets how many bodies the world may have; a fracture that would make more does not happen, and
+   * its blow stays an ordinary blow. No limit by default.
    *
    * @throws IllegalArgumentException if it is negative
    */
@@ -396,7 +408,8 @@ public final class FractureSystem {
   }
 
   /**
-   * Sets how many bodies may break in a step; further blows of the step stay ordinary blows. No limit by default.
+   * Sets how many bodies may break in a step; further blows of the step stay ordinary blows. No
+   * limit by default.
    *
    * @throws IllegalArgumentException if it is negative
    */
@@ -417,7 +430,10 @@ public final class FractureSystem {
     return fractures;
   }
 
-  /** Returns how many fractures were called off because something went wrong; their bodies stayed whole. */
+  /**
+   * Returns how many fractures were called off because something went wrong; their bodies stayed
+   * whole.
+   */
   public int getFailureCount() {
     return failures;
   }

@@ -18,7 +18,10 @@ import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 import org.junit.jupiter.api.Test;
 
-/** What a game can do besides letting things collide: strike, cut, explode; and listen, veto and limit. */
+/**
+ * What a game can do besides letting things collide: strike, cut, explode; and listen, veto and
+ * limit.
+ */
 class CommandTest {
   private final World world = new World(new Vec2());
   private final FractureSystem system = FractureSystem.of(world);
@@ -27,7 +30,8 @@ class CommandTest {
     return Range.wall(world, BodyType.DYNAMIC, 5f, Range.uniform(rigidity, 3f));
   }
 
-  // --- Strike ---------------------------------------------------------------------------------------------------------------
+  // --- Strike
+  // ---------------------------------------------------------------------------------------------------------------
 
   @Test
   void weakStrikeOnlyPushes() {
@@ -58,7 +62,8 @@ class CommandTest {
     assertEquals(2f, box.getLinearVelocity().y, 1e-6f);
   }
 
-  // --- Cut ------------------------------------------------------------------------------------------------------------------
+  // --- Cut
+  // ------------------------------------------------------------------------------------------------------------------
 
   @Test
   void cutThroughMakesTwo() {
@@ -134,7 +139,8 @@ class CommandTest {
     assertTrue(pieces.size() >= 2);
   }
 
-  // --- Explosion ------------------------------------------------------------------------------------------------------------
+  // --- Explosion
+  // ------------------------------------------------------------------------------------------------------------
 
   @Test
   void explosionPushesAwayAndIsShadowed() {
@@ -152,7 +158,8 @@ class CommandTest {
 
   @Test
   void explosionImpulseIsThatOfTheAngleTakenUp() {
-    // A wall from -h to h at distance d takes up the angle 2 atan(h / d); along x each ray gives its cosine: I 2 sin(atan(h / d)).
+    // A wall from -h to h at distance d takes up the angle 2 atan(h / d); along x each ray gives
+    // its cosine: I 2 sin(atan(h / d)).
     Body wall = Range.body(world, BodyType.DYNAMIC, 4.5f, 0);
     Range.fixture(wall, Range.box(0.5f, 3f), 1f, null);
     float radius = 1e6f;
@@ -187,7 +194,8 @@ class CommandTest {
     assertEquals(100, t.mass, 1e-3);
   }
 
-  // --- Listener and limits --------------------------------------------------------------------------------------------------
+  // --- Listener and limits
+  // --------------------------------------------------------------------------------------------------
 
   private static FractureListener collect(List<FractureEvent> events) {
     return new FractureListener() {
@@ -321,7 +329,8 @@ class CommandTest {
     assertEquals(100, Totals.of(world).mass - 5 * Math.PI, 1e-2);
   }
 
-  // --- Bad input ------------------------------------------------------------------------------------------------------------
+  // --- Bad input
+  // ------------------------------------------------------------------------------------------------------------
 
   @Test
   void badInputIsNamed() {

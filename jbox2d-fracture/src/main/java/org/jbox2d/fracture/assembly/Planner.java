@@ -78,8 +78,7 @@ public final class Planner {
     List<ImpactRegion> regions = new ArrayList<>();
     SiteRandom random = new SiteRandom(seed);
     for (Strike strike : request.strikes) {
-      Vec2[] points =
-          request.material.focee(strike.point.clone(), strike.vector.clone(), random);
+      Vec2[] points = request.material.focee(strike.point.clone(), strike.vector.clone(), random);
       String defect = takeSites(points);
       if (defect != null) {
         return Plan.failed(request, defect);

@@ -15,7 +15,10 @@ public final class Request {
   /** Its material. */
   public final Material material;
 
-  /** Impulse of the hardest blow, summed over the contacts of what breaks with one striking body, N s. */
+  /**
+   * Impulse of the hardest blow, summed over the contacts of what breaks with one striking body, N
+   * s.
+   */
   public final float intensity;
 
   /** The hardest first. */

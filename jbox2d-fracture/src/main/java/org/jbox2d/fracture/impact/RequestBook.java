@@ -10,15 +10,21 @@ import org.jbox2d.dynamics.Body;
 /**
  * The strikes of a step, and what they call for.
  *
- * <p>A blow on a polygon of several convex parts may touch more than one of them: strikes on what breaks as one, by the same body, are
- * one blow, and their intensities add up. What is hit hardest on a body breaks, at most one thing a body a step, at all places where it was
- * struck hard enough.
+ * <p>A blow on a polygon of several convex parts may touch more than one of them: strikes on what
+ * breaks as one, by the same body, are one blow, and their intensities add up. What is hit hardest
+ * on a body breaks, at most one thing a body a step, at all places where it was struck hard enough.
  */
 public final class RequestBook {
-  /** Strikes weaker than this share of the rigidity are not kept: no sum of a few of them would break anything. */
+  /**
+   * Strikes weaker than this share of the rigidity are not kept: no sum of a few of them would
+   * break anything.
+   */
   private static final float LEAST_SHARE = 0.05f;
 
-  /** In the order in which bodies were first struck; looked up by identity, walked in insertion order. */
+  /**
+   * In the order in which bodies were first struck; looked up by identity, walked in insertion
+   * order.
+   */
   private final Map<Body, List<Strike>> strikes = new LinkedHashMap<>();
 
   /** Whether a blow of this intensity is worth keeping. */
@@ -36,7 +42,10 @@ public final class RequestBook {
     strikes.computeIfAbsent(strike.fixture.getBody(), b -> new ArrayList<>()).add(strike);
   }
 
-  /** Returns what the strikes call for, in the order in which the bodies were first struck, and empties the book. */
+  /**
+   * Returns what the strikes call for, in the order in which the bodies were first struck, and
+   * empties the book.
+   */
   public List<Request> take() {
     List<Request> requests = new ArrayList<>();
     for (Map.Entry<Body, List<Strike>> entry : strikes.entrySet()) {

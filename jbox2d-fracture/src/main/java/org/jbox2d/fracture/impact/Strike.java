@@ -22,7 +22,10 @@ public final class Strike {
   /** Where it struck, in the body's frame, m. */
   public final Vec2 point = new Vec2();
 
-  /** Velocity of the striking body relative to the struck one, in the body's frame, m/s; only the direction if commanded. */
+  /**
+   * Velocity of the striking body relative to the struck one, in the body's frame, m/s; only the
+   * direction if commanded.
+   */
   public final Vec2 vector = new Vec2();
 
   /** The share of the blow that acts if the fixture breaks, in (0, 1]. */
