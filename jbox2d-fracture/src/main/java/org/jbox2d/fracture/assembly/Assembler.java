@@ -63,9 +63,7 @@ public final class Assembler {
       world.destroyBody(old);
     }
     bodies.addAll(made);
-    for (Body body : bodies) {
-      motion.giveTo(body);
-    }
+    motion.giveTo(bodies);
     return bodies;
   }
 
@@ -169,13 +167,17 @@ public final class Assembler {
 
   /** The motion of the old body when it broke. */
   private static final class Motion {
+    private final double mass;
+    private final double inertia;
     private final double x;
     private final double y;
     private final double vx;
     private final double vy;
-    private final float w;
+    private final double w;
 
     Motion(Body b) {
+      mass = b.m_mass;
+      inertia = b.m_I;
       x = b.getWorldCenter().x;
       y = b.getWorldCenter().y;
       vx = b.getLinearVelocity().x;
@@ -183,14 +185,47 @@ public final class Assembler {
       w = b.getAngularVelocity();
     }
 
-    void giveTo(Body b) {
-      if (b.getType() == BodyType.STATIC) {
+    /**
+     * Lets the pieces go on as one rigid body with the old one's momentum and angular momentum. Rounding has moved their common centre
+     * and changed their common inertia a little, so the motion is that of these: with M, C and J of the pieces together, {@code V = m v / M}
+     * and {@code W = (I w + m (c - C) x v) / J}.
+     */
+    void giveTo(List<Body> pieces) {
+      double sumMass = 0;
+      double cx = 0;
+      double cy = 0;
+      for (Body b : pieces) {
+        sumMass += b.m_mass;
+        cx += (double) b.m_mass * b.getWorldCenter().x;
+        cy += (double) b.m_mass * b.getWorldCenter().y;
+      }
+      if (!(mass > 0 && sumMass > 0)) {
+        move(pieces, x, y, vx, vy, w);
         return;
       }
-      b.setAwake(true);
-      b.m_linearVelocity.x = (float) (vx - w * (b.getWorldCenter().y - y));
-      b.m_linearVelocity.y = (float) (vy + w * (b.getWorldCenter().x - x));
-      b.m_angularVelocity = w;
+      cx /= sumMass;
+      cy /= sumMass;
+      double sumInertia = 0;
+      for (Body b : pieces) {
+        double dx = b.getWorldCenter().x - cx;
+        double dy = b.getWorldCenter().y - cy;
+        sumInertia += b.m_I + b.m_mass * (dx * dx + dy * dy);
+      }
+      double spin = inertia * w + mass * ((x - cx) * vy - (y - cy) * vx);
+      boolean turns = inertia > 0 && sumInertia > 0;
+      move(pieces, cx, cy, mass * vx / sumMass, mass * vy / sumMass, turns ? spin / sumInertia : w);
+    }
+
+    private static void move(
+        List<Body> pieces, double cx, double cy, double vx, double vy, double w) {
+      for (Body b : pieces) {
+        if (b.getType() != BodyType.STATIC) {
+          b.setAwake(true);
+          b.m_linearVelocity.x = (float) (vx - w * (b.getWorldCenter().y - cy));
+          b.m_linearVelocity.y = (float) (vy + w * (b.getWorldCenter().x - cx));
+          b.m_angularVelocity = (float) w;
+        }
+      }
     }
   }
 }
