@@ -186,9 +186,10 @@ public final class Assembler {
     }
 
     /**
-     * Lets the pieces go on as one rigid body with the old one's momentum and angular momentum. Rounding has moved their common centre
-     * and changed their common inertia a little, so the motion is that of these: with M, C and J of the pieces together, {@code V = m v / M}
-     * and {@code W = (I w + m (c - C) x v) / J}.
+     * Lets the pieces go on as one rigid body with the old one's momentum and angular momentum.
+     * Rounding has moved their common centre and changed their common inertia a little, so the
+     * motion is that of these: with M, C and J of the pieces together, {@code V = m v / M} and
+     * {@code W = (I w + m (c - C) x v) / J}.
      */
     void giveTo(List<Body> pieces) {
       double sumMass = 0;
