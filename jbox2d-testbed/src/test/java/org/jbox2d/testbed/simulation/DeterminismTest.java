@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Same scene, same seed: same bits. */
 class DeterminismTest {
   private static final float HZ = 60f;
-  private static final int STEPS = 240;
+  private static final int STEPS = 150;
 
   /** A fresh virtual machine that only interprets is some thirty times slower. */
   private static final int STEPS_INTERPRETED = 60;
