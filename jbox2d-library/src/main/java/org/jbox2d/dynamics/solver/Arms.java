@@ -48,6 +48,13 @@ public final class Arms {
   /** A quarter turn in a step, the most that a body turns unless the settings are changed, rad. */
   private static final float LARGEST_TURN = 0.5f * (float) Math.PI;
 
+  /**
+   * Turn in a step up to which Coriolis forces are followed, rad: 24 rad/s at 60 steps a second.
+   * They couple the directions along and across an axis, and with larger turns the iterations would
+   * run away.
+   */
+  private static final float LARGEST_SWING = 0.4f;
+
   private Arms() {}
 
   /** Fills in the block: points relative to the centres of mass, in the bodies' frames, m. */
@@ -123,7 +130,7 @@ public final class Arms {
     float h = step.dt;
     float[] v = bodies.vel;
     float[] x = bodies.pos;
-    float t = turn(v[a + 2] * h);
+    float t = Math.max(-LARGEST_SWING, Math.min(LARGEST_SWING, v[a + 2] * h));
     float sideways = ux * speedY(f, o, v, a, b) - uy * speedX(f, o, v, a, b);
     float gap = ux * gapX(f, o, x, a, b) + uy * gapY(f, o, x, a, b);
     return ux * bendX(f, o, v, a, b, h, step.invDt)
@@ -176,11 +183,12 @@ public final class Arms {
 
   /**
    * A way {@code s = h v} across a length L makes it longer by {@code sqrt(L^2 + s^2) - L}: nearly
-   * {@code s^2 / (2 L)}, and never more than s.
+   * {@code s^2 / (2 L)}, and here never more than s / 2, so that the iterations of several such
+   * constraints do not drive each other up.
    */
   static float bow(float across, float invLength, float h) {
     float speed = Math.abs(across);
-    return speed * Math.min(1f, 0.5f * h * speed * invLength);
+    return speed * 0.5f * Math.min(1f, h * speed * invLength);
   }
 
   /** Applies an impulse to point B and its opposite to point A. */

@@ -12,9 +12,9 @@ package org.jbox2d.dynamics.solver;
  * One equality row over all bodies: a pressure, equal on all edges. The area may have either sign.
  * The bend of the path (see {@link Arms}) is {@code h/2 sum v_i x v_i+1}; the area is a quadratic
  * form, so with it the step's area is exact. Position correction by Newton steps, none of which
- * moves a body further than the largest linear correction. If all bodies are in one place, the
- * gradient vanishes and nothing is done. Source of the area: Green's theorem; of the solution:
- * Baumgarte and Catto as for any equality (GDC 2009).
+ * moves a body further than the largest linear correction. If the ring has collapsed into one
+ * place, the gradient vanishes and nothing is done. Source of the area: Green's theorem; of the
+ * solution: Baumgarte and Catto as for any equality (GDC 2009).
  */
 public final class ConstantVolumeKernel extends JointKernel {
   private static final int TARGET = 0;
@@ -24,6 +24,18 @@ public final class ConstantVolumeKernel extends JointKernel {
   private static final int MASS = 2;
   // Gradients, two floats a body.
   private static final int J = 3;
+
+  /**
+   * A ring whose gradient, squared, is below this share of its area has collapsed; its direction is
+   * noise.
+   */
+  private static final float FLAT = 1e-6f;
+
+  /**
+   * Largest share of the bend in what the speeds do in first order. Beyond it, bodies move as far
+   * as the ring is wide in one step, and the iterations would run away.
+   */
+  private static final float MOST_BEND = 0.25f;
 
   ConstantVolumeKernel(int order) {
     super(order);
@@ -79,6 +91,7 @@ public final class ConstantVolumeKernel extends JointKernel {
     int b = first;
     float area = 0f;
     float sum = 0f;
+    float masses = 0f;
     for (int i = 0; i < n; i++) {
       int next = i + 1 < n ? SolverBodies.STRIDE * rows.bodies[s + i + 1] : first;
       float gx = 0.5f * (x[next + 1] - x[last + 1]);
@@ -86,6 +99,7 @@ public final class ConstantVolumeKernel extends JointKernel {
       f[o + J + 2 * i] = gx;
       f[o + J + 2 * i + 1] = gy;
       sum += bodies.mass[b] * (gx * gx + gy * gy);
+      masses += bodies.mass[b];
       // Relative to the first corner, so that a polygon far from the origin keeps its digits.
       area +=
           (x[b] - x[first]) * (x[next + 1] - x[first + 1])
@@ -93,7 +107,8 @@ public final class ConstantVolumeKernel extends JointKernel {
       last = b;
       b = next;
     }
-    f[o + MASS] = sum > 0f ? 1f / sum : 0f;
+    float least = Math.max(Float.MIN_NORMAL, FLAT * masses * Math.abs(f[o + TARGET]));
+    f[o + MASS] = sum > least ? 1f / sum : 0f;
     return 0.5f * area - f[o + TARGET];
   }
 
@@ -134,8 +149,7 @@ public final class ConstantVolumeKernel extends JointKernel {
         bend += vx * (v[next + 1] - v[first + 1]) - vy * (v[next] - v[first]);
         b = next;
       }
-      // Bounded by what the speeds can do in first order: bodies thrown about must not make it run
-      // away.
+      bound *= MOST_BEND;
       bend = Math.max(-bound, Math.min(bound, 0.5f * step.dt * bend));
       float p = -f[o + MASS] * (speed + bend);
       f[o + IMPULSE] += p;

@@ -6,15 +6,19 @@ package org.jbox2d.dynamics.solver;
  * still.
  *
  * <pre>
- *   point:  ddot + correction d / h = 0,              |sum of impulses| &lt;= maxForce h
+ *   point:  ddot - wA x d + correction d / h = 0,     |sum of impulses| &lt;= maxForce h
  *   angle:  wB - wA + correction C / h = 0,           |sum of impulses| &lt;= maxTorque h
  *   d = xB + rB - xA - rA,   C = aB - aA - offset
  * </pre>
  *
- * The angle is solved first, then the point as a 2 x 2 block (see {@link Arms}), its impulse drawn
- * back to the circle of its bound, as Coulomb friction in the plane asks. Warm starting keeps the
- * impulses, so that a load within the bound is carried without creep. There is nothing to correct
- * in position.
+ * The first is the velocity of point B seen from the frame of body A; in the arms it means that A
+ * is taken hold of where point B is, {@code rA + d} from its centre. So force and counterforce lie
+ * on one line however far the points are apart, and angular momentum is kept.
+ *
+ * <p>The angle is solved first, then the point as a 2 x 2 block (see {@link Arms}), its impulse
+ * drawn back to the circle of its bound, as Coulomb friction in the plane asks. Warm starting keeps
+ * the impulses, so that a load within the bound is carried without creep. There is nothing to
+ * correct in position.
  */
 public final class DriveKernel extends JointKernel {
   /** Length of a row's block. */
@@ -89,12 +93,16 @@ public final class DriveKernel extends JointKernel {
       int a = SolverBodies.STRIDE * slotA;
       int b = SolverBodies.STRIDE * slotB;
       Arms.turn(f, o, bodies.pos, a, b);
+      float dx = Arms.gapX(f, o, bodies.pos, a, b);
+      float dy = Arms.gapY(f, o, bodies.pos, a, b);
+      f[o + Arms.RAX] += dx;
+      f[o + Arms.RAY] += dy;
       Arms.invert(f, o, o + M11, m, a, b);
       float k = m[a + 1] + m[b + 1];
       f[o + ANGLE_MASS] = k > 0f ? 1f / k : 0f;
       float rate = f[o + CORRECTION] * step.invDt;
-      f[o + BIAS_X] = rate * Arms.gapX(f, o, bodies.pos, a, b);
-      f[o + BIAS_Y] = rate * Arms.gapY(f, o, bodies.pos, a, b);
+      f[o + BIAS_X] = rate * dx;
+      f[o + BIAS_Y] = rate * dy;
       f[o + BIAS_TURN] = rate * (bodies.angle[slotB] - bodies.angle[slotA] - f[o + OFFSET]);
       f[o + IMPULSE_X] *= keep;
       f[o + IMPULSE_Y] *= keep;

@@ -264,7 +264,12 @@ public final class PrismaticKernel extends JointKernel {
     v[b + 2] += m[b + 1] * (along * f[o + A2] + across * f[o + S2] + turn);
   }
 
-  /** The limit first, then across and angle at once. */
+  /**
+   * A limit that is violated is solved together with across and angle: one after the other they
+   * undo each other's turning and get nowhere when bodies were put far apart. With the angle
+   * eliminated, what is left for (across, along) is {@code (mA + mB) 1 + iA iB / (iA + iB) e e^T, e
+   * = (s1 - s2, a1 - a2)}.
+   */
   @Override
   public boolean solvePosition(
       JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
@@ -277,25 +282,56 @@ public final class PrismaticKernel extends JointKernel {
       int a = SolverBodies.STRIDE * slotA;
       int b = SolverBodies.STRIDE * slotB;
       float translation = place(f, o, bodies, a, b);
-      if (f[o + LIMITED] > 0f) {
-        float c = translation - Math.max(f[o + LOWER], Math.min(f[o + UPPER], translation));
-        float p = -f[o + ALONG_MASS] * c * Arms.share(Math.abs(c), step.maxLinearCorrection);
-        shift(f, o, bodies, slotA, slotB, p, 0f, 0f);
-        done &= Math.abs(c) <= step.linearSlop;
-        place(f, o, bodies, a, b);
-      }
-      float c1 =
+      float across =
           f[o + AX] * Arms.gapY(f, o, bodies.pos, a, b)
               - f[o + AY] * Arms.gapX(f, o, bodies.pos, a, b);
-      float c2 = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
-      done &= Math.abs(c1) <= step.linearSlop && Math.abs(c2) <= step.angularSlop;
-      c1 *= Arms.share(Math.abs(c1), step.maxLinearCorrection);
-      c2 *= Arms.share(Math.abs(c2), step.maxAngularCorrection);
-      float p1 = -f[o + ACROSS_MASS] * (c1 - f[o + COUPLING] * c2);
-      float p2 = -f[o + ANGLE_MASS] * c2 - f[o + COUPLING] * p1;
-      shift(f, o, bodies, slotA, slotB, 0f, p1, p2);
+      float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
+      float along = 0f;
+      if (f[o + LIMITED] > 0f) {
+        along = translation - Math.max(f[o + LOWER], Math.min(f[o + UPPER], translation));
+      }
+      done &= Math.max(Math.abs(across), Math.abs(along)) <= step.linearSlop;
+      done &= Math.abs(angle) <= step.angularSlop;
+      across *= Arms.share(Math.abs(across), step.maxLinearCorrection);
+      along *= Arms.share(Math.abs(along), step.maxLinearCorrection);
+      angle *= Arms.share(Math.abs(angle), step.maxAngularCorrection);
+      if (along == 0f) {
+        float p1 = -f[o + ACROSS_MASS] * (across - f[o + COUPLING] * angle);
+        float p2 = -f[o + ANGLE_MASS] * angle - f[o + COUPLING] * p1;
+        shift(f, o, bodies, slotA, slotB, 0f, p1, p2);
+      } else {
+        mend(f, o, bodies, slotA, slotB, along, across, angle);
+      }
     }
     return done;
+  }
+
+  private static void mend(
+      float[] f,
+      int o,
+      SolverBodies bodies,
+      int slotA,
+      int slotB,
+      float along,
+      float across,
+      float angle) {
+    int a = SolverBodies.STRIDE * slotA;
+    int b = SolverBodies.STRIDE * slotB;
+    float mass = bodies.mass[a] + bodies.mass[b];
+    float ia = bodies.mass[a + 1];
+    float ib = bodies.mass[b + 1];
+    float both = ia * ib * f[o + ANGLE_MASS];
+    float es = f[o + S1] - f[o + S2];
+    float ea = f[o + A1] - f[o + A2];
+    float det = mass * (mass + both * (es * es + ea * ea));
+    float inv = det > 0f ? 1f / det : 0f;
+    float alongCoupling = (ia * f[o + A1] + ib * f[o + A2]) * f[o + ANGLE_MASS];
+    float c1 = across - f[o + COUPLING] * angle;
+    float c2 = along - alongCoupling * angle;
+    float p1 = -inv * ((mass + both * ea * ea) * c1 - both * es * ea * c2);
+    float p2 = -inv * ((mass + both * es * es) * c2 - both * es * ea * c1);
+    float turn = -f[o + ANGLE_MASS] * angle - f[o + COUPLING] * p1 - alongCoupling * p2;
+    shift(f, o, bodies, slotA, slotB, p2, p1, turn);
   }
 
   private static void shift(
