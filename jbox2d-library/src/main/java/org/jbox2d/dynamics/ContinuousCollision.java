@@ -100,9 +100,10 @@ final class ContinuousCollision implements TreeCallback {
     farMovers = false;
     try {
       boolean bullets = collectFast();
-      boolean strikers = dropSlowKinematic();
-      if (bullets || strikers) {
-        coverWays();
+      dropSlowKinematic();
+      coverWays(kinematic, kinematics);
+      if (bullets) {
+        coverWays(queue, queued);
       }
       for (int i = 0; i < kinematics; i++) {
         strike(kinematic[i]);
@@ -155,9 +156,9 @@ final class ContinuousCollision implements TreeCallback {
     return (float) Math.sqrt(dx * dx + dy * dy) + Math.abs(s.a - s.a0) * b.reach;
   }
 
-  /** Way up to which the broad phase's boxes after the step also cover the start of the way, m. */
-  private float margin(Body b) {
-    return Math.min(margin, MARGIN_SHARE * b.thickness);
+  /** Whether the broad phase's boxes of a body cover the start of its way as well as the end. */
+  private boolean boxesCoverWay(Body b) {
+    return way(b) <= Math.min(margin, MARGIN_SHARE * b.thickness) || search.boxesCoverWay(b);
   }
 
   /**
@@ -192,7 +193,7 @@ final class ContinuousCollision implements TreeCallback {
     kinematic[kinematics++] = b;
   }
 
-  private boolean dropSlowKinematic() {
+  private void dropSlowKinematic() {
     // How thin those are that sleep is not known.
     float slow = Math.min(FAST * thinnest, margin);
     int kept = 0;
@@ -204,7 +205,6 @@ final class ContinuousCollision implements TreeCallback {
     }
     Arrays.fill(kinematic, kept, kinematics, null);
     kinematics = kept;
-    return kept > 0;
   }
 
   // --- Moving bodies against one another
@@ -212,12 +212,13 @@ final class ContinuousCollision implements TreeCallback {
 
   /**
    * Lets the boxes of what has moved far cover its whole way, so that others on theirs find it.
-   * Only where moving bodies may meet.
+   * Only where moving bodies may meet: kinematic ones may be in the way of all, others in that of
+   * bullets.
    */
-  private void coverWays() {
-    for (int i = 0; i < queued + kinematics; i++) {
-      Body b = i < queued ? queue[i] : kinematic[i - queued];
-      if (!(way(b) > margin(b))) {
+  private void coverWays(Body[] bodies, int count) {
+    for (int i = 0; i < count; i++) {
+      Body b = bodies[i];
+      if (boxesCoverWay(b)) {
         continue;
       }
       farMovers = true;
@@ -272,7 +273,7 @@ final class ContinuousCollision implements TreeCallback {
     boolean goesOn = b.impacts < Settings.maxSubSteps;
     while (goesOn) {
       float way = way(b);
-      boolean far = farMovers || way > margin(b);
+      boolean far = farMovers || !boxesCoverWay(b);
       goesOn = search.find(b, far, way > FAST * b.thickness) && meet(b, search.other, search.time);
     }
     search.reset();
