@@ -1,16 +1,19 @@
 package org.jbox2d.fracture.fragmentation;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import org.jbox2d.fracture.voronoi.VoronoiDiagram;
 
 /**
  * Gives the edges of a Voronoi diagram to the {@link Noder}, as far as they can matter: an edge
- * counts only if the cell on one of its sides may overlap a region of effect. The cells of a
- * diagram do not meet each other but along edges, so edges are added clean, unless rounding may
- * have spoiled that: where edges of a cell come nearer to each other than the noder tells apart,
- * they are dirty.
+ * counts only if the cell on one of its sides may overlap a region of effect. Cells may be united
+ * to pieces: then edges between two cells of a piece do not count, and the others do if any cell of
+ * the piece may overlap a region. The cells of a diagram do not meet each other but along edges, so
+ * edges are added clean, unless rounding may have spoiled that: where edges of a cell come nearer
+ * to each other than the noder tells apart, they are dirty.
  */
 final class CellEdges {
   private VoronoiDiagram diagram;
@@ -19,8 +22,12 @@ final class CellEdges {
   private boolean[] doubtful = new boolean[0];
   private int[] node = new int[0];
 
+  /** For each site the first one of its piece, which stands for it; itself if it is alone. */
+  private int[] leader = new int[0];
+
   void add(
       VoronoiDiagram voronoi,
+      int[] pieceOfSite,
       Noder noder,
       List<? extends RegionOfEffect> regions,
       DoubleUnaryOperator toInputX,
@@ -29,12 +36,14 @@ final class CellEdges {
     diagram = voronoi;
     snap = snapDistance;
     ensure();
+    findLeaders(pieceOfSite);
     for (int i = 0; i < diagram.siteCount(); i++) {
       matters[i] = regions.isEmpty();
       for (int k = 0; k < regions.size() && !matters[i]; k++) {
         matters[i] = mayOverlap(i, regions.get(k), toInputX, toInputY);
       }
     }
+    spreadOverPieces();
     Arrays.fill(doubtful, 0, diagram.vertexCount(), false);
     for (int i = 0; i < diagram.siteCount(); i++) {
       if (matters[i]) {
@@ -43,7 +52,9 @@ final class CellEdges {
     }
     Arrays.fill(node, 0, diagram.vertexCount(), -1);
     for (int e = 0; e < diagram.edgeCount(); e++) {
-      if (matters[diagram.edgeLeft(e)] || matters[diagram.edgeRight(e)]) {
+      int left = diagram.edgeLeft(e);
+      int right = diagram.edgeRight(e);
+      if ((matters[left] || matters[right]) && leader[left] != leader[right]) {
         addEdge(e, noder);
       }
     }
@@ -52,10 +63,32 @@ final class CellEdges {
   private void ensure() {
     if (matters.length < diagram.siteCount()) {
       matters = new boolean[2 * diagram.siteCount()];
+      leader = new int[2 * diagram.siteCount()];
     }
     if (doubtful.length < diagram.vertexCount()) {
       doubtful = new boolean[2 * diagram.vertexCount()];
       node = new int[2 * diagram.vertexCount()];
+    }
+  }
+
+  private void findLeaders(int[] pieceOfSite) {
+    Map<Integer, Integer> first = new HashMap<>();
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      leader[i] = i;
+      if (pieceOfSite != null && pieceOfSite[i] >= 0) {
+        Integer earlier = first.putIfAbsent(pieceOfSite[i], i);
+        leader[i] = earlier == null ? i : earlier;
+      }
+    }
+  }
+
+  /** A cell matters if any of its piece does: the border of a piece must be whole. */
+  private void spreadOverPieces() {
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      matters[leader[i]] |= matters[i];
+    }
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      matters[i] = matters[leader[i]];
     }
   }
 
@@ -111,8 +144,8 @@ final class CellEdges {
     noder.addSegment(
         nodeOf(from, noder),
         nodeOf(to, noder),
-        diagram.edgeLeft(e),
-        diagram.edgeRight(e),
+        leader[diagram.edgeLeft(e)],
+        leader[diagram.edgeRight(e)],
         false,
         dirty);
   }

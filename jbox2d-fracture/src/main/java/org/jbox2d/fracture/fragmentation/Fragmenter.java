@@ -95,6 +95,28 @@ public final class Fragmenter {
       int siteCount,
       List<? extends RegionOfEffect> regions,
       PieceLimits limits) {
+    return fragment(body, sites, null, siteCount, regions, limits);
+  }
+
+  /**
+   * Breaks an outline by unions of Voronoi cells: shapes that no diagram with a site each has, such
+   * as the bricks of a bond.
+   *
+   * @param pieceOfSite for each site a number; cells of sites with the same non-negative number are
+   *     one, a negative one is of its own cell alone; {@code null}: each cell is of its own
+   * @throws IllegalArgumentException as the other method, or if there are too few numbers
+   */
+  public Fragmentation fragment(
+      Outline body,
+      double[] sites,
+      int[] pieceOfSite,
+      int siteCount,
+      List<? extends RegionOfEffect> regions,
+      PieceLimits limits) {
+    if (pieceOfSite != null && pieceOfSite.length < siteCount) {
+      throw new IllegalArgumentException(
+          "piece numbers: " + pieceOfSite.length + " of " + siteCount + " sites");
+    }
     Fragmentation refusal = begin(body);
     if (refusal != null) {
       return refusal;
@@ -102,7 +124,7 @@ public final class Fragmenter {
     toLocal(sites, siteCount);
     voronoi.compute(
         localSites, siteCount, minX - MARGIN, minY - MARGIN, maxX + MARGIN, maxY + MARGIN);
-    cellEdges.add(voronoi, noder, regions, this::toInputX, this::toInputY, snap);
+    cellEdges.add(voronoi, pieceOfSite, noder, regions, this::toInputX, this::toInputY, snap);
     return finish(regions, limits);
   }
 
