@@ -6,6 +6,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.core.importer.Location;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
@@ -17,9 +18,23 @@ import com.tngtech.archunit.lang.ArchRule;
  * dynamics, contacts and joints name each other's types (a contact its fixtures, a body its joints,
  * a listener its contacts, a pool its contacts), and the box of collision takes a pool.
  */
-@AnalyzeClasses(packages = "org.jbox2d", importOptions = ImportOption.DoNotIncludeTests.class)
+@AnalyzeClasses(
+    packages = "org.jbox2d",
+    importOptions = {
+      ImportOption.DoNotIncludeTests.class,
+      ArchitectureTest.DoNotIncludeUpstream.class
+    })
 class ArchitectureTest {
   private static final String[] JDK = {"java.."};
+
+  /** JBox2D's own testbed and serializer, on the class path of the tests, are not ours. */
+  static final class DoNotIncludeUpstream implements ImportOption {
+    @Override
+    public boolean includes(Location location) {
+      return !location.contains("/jbox2d-testbed-2.2.1.1.jar")
+          && !location.contains("/jbox2d-serialization-1.1.0.jar");
+    }
+  }
 
   @ArchTest
   static final ArchRule commonUsesTheJdkAlone =
