@@ -1,6 +1,8 @@
 package org.jbox2d.testbed.ui;
 
-import org.jbox2d.callbacks.QueryCallback;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import java.util.function.Predicate;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.common.Vec2;
@@ -13,6 +15,8 @@ import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.joints.MouseJoint;
 import org.jbox2d.dynamics.joints.MouseJointDef;
+import org.jbox2d.fracture.FractureSystem;
+import org.jbox2d.fracture.Material;
 import org.jbox2d.testbed.scenes.Scenes;
 import org.jbox2d.testbed.simulation.Simulation;
 
@@ -31,6 +35,11 @@ final class Interaction {
   /** How far from its target a shot starts, m. */
   private static final float SHOT_DISTANCE = 25f;
 
+  private static final float EXPLOSION_RADIUS = 12f;
+
+  /** At a distance of 1 m, N s/m. */
+  private static final float EXPLOSION_IMPULSE = 150f;
+
   private final Simulation run;
   private final World world;
 
@@ -43,11 +52,12 @@ final class Interaction {
   void grab(float x, float y) {
     release();
     Vec2 point = new Vec2(x, y);
-    Body body = bodyAt(point);
+    Fixture fixture = fixtureAt(point, f -> f.getBody().getType() == BodyType.DYNAMIC);
     Body ground = anyStatic();
-    if (body == null || ground == null) {
+    if (fixture == null || ground == null) {
       return;
     }
+    Body body = fixture.getBody();
     MouseJointDef def = new MouseJointDef();
     def.bodyA = ground;
     def.bodyB = body;
@@ -94,6 +104,43 @@ final class Interaction {
     run.massBalance().leaveOut(body);
   }
 
+  /** Strikes what is at a world point, from above, twice as hard as it bears. */
+  void breakAt(float x, float y) {
+    Vec2 point = new Vec2(x, y);
+    Fixture fixture = fixtureAt(point, f -> f.getMaterial() instanceof Material);
+    if (fixture != null) {
+      float rigidity = ((Material) fixture.getMaterial()).m_rigidity;
+      FractureSystem.of(world).strike(fixture, point, new Vec2(0f, -2f * rigidity));
+    }
+  }
+
+  /** Cuts every body that a segment between two world points goes through; scenery stays whole. */
+  void cut(float x1, float y1, float x2, float y2) {
+    Vec2 from = new Vec2(x1, y1);
+    Vec2 to = new Vec2(x2, y2);
+    if (from.equals(to)) {
+      return;
+    }
+    Set<Body> hit = new LinkedHashSet<>();
+    world.raycast(
+        (fixture, point, normal, fraction) -> {
+          if (fixture.getBody().getType() == BodyType.DYNAMIC || fixture.getMaterial() != null) {
+            hit.add(fixture.getBody());
+          }
+          return 1f;
+        },
+        from,
+        to);
+    for (Body body : hit) {
+      FractureSystem.of(world).cut(body, from, to);
+    }
+  }
+
+  /** Sets off an explosion. */
+  void explode(float x, float y) {
+    FractureSystem.of(world).explode(new Vec2(x, y), EXPLOSION_RADIUS, EXPLOSION_IMPULSE);
+  }
+
   /**
    * The joint of the last grab. It is looked up, not kept: it goes with its body when that breaks,
    * or is replaced by one that holds the fragment.
@@ -116,30 +163,19 @@ final class Interaction {
     return null;
   }
 
-  private Body bodyAt(Vec2 point) {
+  private Fixture fixtureAt(Vec2 point, Predicate<Fixture> wanted) {
     AABB box =
         new AABB(
             new Vec2(point.x - REACH, point.y - REACH), new Vec2(point.x + REACH, point.y + REACH));
-    Finder finder = new Finder(point);
-    world.queryAABB(finder, box);
-    return finder.found;
-  }
-
-  private static final class Finder implements QueryCallback {
-    private final Vec2 point;
-    private Body found;
-
-    Finder(Vec2 point) {
-      this.point = point;
-    }
-
-    @Override
-    public boolean reportFixture(Fixture fixture) {
-      if (fixture.getBody().getType() == BodyType.DYNAMIC && fixture.testPoint(point)) {
-        found = fixture.getBody();
-        return false;
-      }
-      return true;
-    }
+    Fixture[] found = new Fixture[1];
+    world.queryAABB(
+        fixture -> {
+          if (wanted.test(fixture) && fixture.testPoint(point)) {
+            found[0] = fixture;
+          }
+          return found[0] == null;
+        },
+        box);
+    return found[0];
   }
 }

@@ -195,7 +195,6 @@ public final class TestbedWindow {
     bar.add(startStop);
     bar.add(button("Step", "A single step (N)", this::singleStep));
     bar.add(button("Reset", "Build the scene anew (R)", this::reset));
-    bar.add(button("Throw", "Throw a disc at the pointer (B)", canvas::shootAtPointer));
     bar.add(button("Whole scene", "Show the whole scene (F)", canvas::frameAgain));
     bar.add(button("Picture", "Write a picture to the working directory (P)", this::writePicture));
     bar.addSeparator();
@@ -239,6 +238,8 @@ public final class TestbedWindow {
     bind("N", this::singleStep);
     bind("R", this::reset);
     bind("B", canvas::shootAtPointer);
+    bind("X", canvas::breakAtPointer);
+    bind("E", canvas::explodeAtPointer);
     bind("F", canvas::frameAgain);
     bind("P", this::writePicture);
     bind("LEFT", () -> look(1));

@@ -30,6 +30,8 @@ final class WorldCanvas extends JComponent {
   /** Factor of a click of the wheel. */
   private static final double WHEEL_FACTOR = 1.15;
 
+  private static final Color CUT = new Color(0xe5484d);
+
   private final SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
   private final Supplier<Snapshot> source;
   private final Supplier<double[]> stepMillis;
@@ -37,6 +39,10 @@ final class WorldCanvas extends JComponent {
   private Framing framing;
   private View view;
   private Point mouse = new Point();
+
+  /** Where a cut has begun, or {@code null}. */
+  private Point cutStart;
+
   private String hint;
   private Layers layers = Layers.NONE;
 
@@ -109,6 +115,20 @@ final class WorldCanvas extends JComponent {
     commands.accept(interaction -> interaction.shoot(x, y));
   }
 
+  /** Breaks what is at the pointer. */
+  void breakAtPointer() {
+    float x = worldX(mouse.x);
+    float y = worldY(mouse.y);
+    commands.accept(interaction -> interaction.breakAt(x, y));
+  }
+
+  /** Sets off an explosion at the pointer. */
+  void explodeAtPointer() {
+    float x = worldX(mouse.x);
+    float y = worldY(mouse.y);
+    commands.accept(interaction -> interaction.explode(x, y));
+  }
+
   private void fit() {
     if (getWidth() > 0 && getHeight() > 0) {
       view = view.resized(getWidth(), getHeight());
@@ -139,13 +159,17 @@ final class WorldCanvas extends JComponent {
             g,
             Overlay.lines(snapshot.counts(), view, view.toWorldX(mouse.x), view.toWorldY(mouse.y)));
     StepPlot.paint(g, stepMillis.get(), below);
+    if (cutStart != null) {
+      g.setColor(CUT);
+      g.drawLine(cutStart.x, cutStart.y, mouse.x, mouse.y);
+    }
     if (hint != null) {
       Overlay.paintHint(g, hint, getWidth());
     }
     g.dispose();
   }
 
-  /** Left drags bodies, right drags the view, the wheel zooms about the pointer. */
+  /** Left drags bodies, throws or cuts, right drags the view, the wheel zooms about the pointer. */
   private final class Mouse extends MouseAdapter {
     private boolean holding;
 
@@ -160,6 +184,10 @@ final class WorldCanvas extends JComponent {
         shootAtPointer();
         return;
       }
+      if (e.isControlDown()) {
+        cutStart = e.getPoint();
+        return;
+      }
       holding = true;
       float x = worldX(e.getX());
       float y = worldY(e.getY());
@@ -168,10 +196,21 @@ final class WorldCanvas extends JComponent {
 
     @Override
     public void mouseReleased(MouseEvent e) {
-      if (SwingUtilities.isLeftMouseButton(e) && holding) {
+      if (!SwingUtilities.isLeftMouseButton(e)) {
+        return;
+      }
+      if (cutStart != null) {
+        cut(worldX(cutStart.x), worldY(cutStart.y), worldX(e.getX()), worldY(e.getY()));
+        cutStart = null;
+      }
+      if (holding) {
         holding = false;
         commands.accept(Interaction::release);
       }
+    }
+
+    private void cut(float x1, float y1, float x2, float y2) {
+      commands.accept(interaction -> interaction.cut(x1, y1, x2, y2));
     }
 
     @Override

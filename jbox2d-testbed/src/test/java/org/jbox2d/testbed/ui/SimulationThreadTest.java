@@ -2,7 +2,9 @@ package org.jbox2d.testbed.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -119,6 +121,26 @@ class SimulationThreadTest {
     thread.interact(Interaction::release);
     thread.singleStep();
     assertEquals(0, await(s -> s.counts().steps() == 121).lineCount());
+  }
+
+  @Test
+  void boxIsStruckCutAndBlownUp() throws InterruptedException {
+    thread.load(Scenes.named("main"), 60f, 1);
+    Snapshot whole = await(s -> s.counts().scene().equals("main"));
+    thread.interact(i -> i.breakAt(0f, 9f));
+    Snapshot struck = await(s -> true);
+    assertEquals(1, struck.counts().fractures());
+    assertNotEquals(whole.bodyCount(), struck.bodyCount());
+
+    thread.reset();
+    await(s -> s.bodyCount() == whole.bodyCount());
+    thread.interact(i -> i.cut(-6f, 4f, 6f, 6f));
+    assertEquals(whole.bodyCount() + 1, await(s -> true).bodyCount());
+
+    thread.reset();
+    await(s -> s.bodyCount() == whole.bodyCount());
+    thread.interact(i -> i.explode(-6f, 5f));
+    assertTrue(await(s -> true).bodyCount() > whole.bodyCount());
   }
 
   private int snapshotIndexOfDisc() {
