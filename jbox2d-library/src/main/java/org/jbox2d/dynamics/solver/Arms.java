@@ -257,8 +257,20 @@ public final class Arms {
   }
 
   /**
+   * Share of a correction that turns neither body by more than {@code most}. Newton's step is exact
+   * in the places and first order in the angles: the turn is what must be kept small, not the way.
+   */
+  static float turnShare(
+      float[] f, int o, float[] m, int a, int b, float px, float py, float turn, float most) {
+    float turnA = m[a + 1] * (f[o + RAX] * py - f[o + RAY] * px + turn);
+    float turnB = m[b + 1] * (f[o + RBX] * py - f[o + RBY] * px + turn);
+    return share(Math.max(Math.abs(turnA), Math.abs(turnB)), most);
+  }
+
+  /**
    * One Newton step towards coincident points.
    *
+   * @param most largest turn, rad
    * @param scratch place of three floats of the row that may be overwritten
    * @return the distance of the points before it, m
    */
@@ -269,13 +281,13 @@ public final class Arms {
     turn(f, o, bodies.pos, a, b);
     float cx = gapX(f, o, bodies.pos, a, b);
     float cy = gapY(f, o, bodies.pos, a, b);
-    float error = (float) Math.sqrt(cx * cx + cy * cy);
-    float share = share(error, most);
-    invert(f, o, scratch, bodies.mass, a, b);
-    float px = -share * (f[scratch] * cx + f[scratch + 1] * cy);
-    float py = -share * (f[scratch + 1] * cx + f[scratch + 2] * cy);
-    shift(f, o, bodies, slotA, slotB, px, py, 0f);
-    return error;
+    float[] m = bodies.mass;
+    invert(f, o, scratch, m, a, b);
+    float px = -(f[scratch] * cx + f[scratch + 1] * cy);
+    float py = -(f[scratch + 1] * cx + f[scratch + 2] * cy);
+    float share = turnShare(f, o, m, a, b, px, py, 0f, most);
+    shift(f, o, bodies, slotA, slotB, share * px, share * py, 0f);
+    return (float) Math.sqrt(cx * cx + cy * cy);
   }
 
   /**

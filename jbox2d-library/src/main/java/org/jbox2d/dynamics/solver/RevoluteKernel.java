@@ -197,7 +197,7 @@ public final class RevoluteKernel extends JointKernel {
         Arms.move(bodies, slotB, 0f, 0f, m[SolverBodies.STRIDE * slotB + 1] * p);
         done &= Math.abs(c) <= step.angularSlop;
       }
-      float error = Arms.join(f, o, o + M11, bodies, slotA, slotB, step.maxLinearCorrection);
+      float error = Arms.join(f, o, o + M11, bodies, slotA, slotB, step.maxAngularCorrection);
       done &= error <= step.linearSlop;
     }
     return done;

@@ -184,7 +184,7 @@ public final class WeldKernel extends JointKernel {
       int o = rows.floatAt[r];
       int slotA = rows.bodies[rows.bodyAt[r]];
       int slotB = rows.bodies[rows.bodyAt[r] + 1];
-      float most = step.maxLinearCorrection;
+      float most = step.maxAngularCorrection;
       if (f[o + FREQUENCY] > 0f) {
         done &= Arms.join(f, o, o + M11, bodies, slotA, slotB, most) <= step.linearSlop;
       } else {
@@ -206,17 +206,15 @@ public final class WeldKernel extends JointKernel {
     float cw = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
     float error = (float) Math.sqrt(cx * cx + cy * cy);
     boolean done = error <= step.linearSlop && Math.abs(cw) <= step.angularSlop;
-    float share = Arms.share(error, step.maxLinearCorrection);
-    cx *= share;
-    cy *= share;
-    cw *= Arms.share(Math.abs(cw), step.maxAngularCorrection);
     float angle = f[o + ANGLE_MASS];
     float sx = cx - f[o + KX] * angle * cw;
     float sy = cy - f[o + KY] * angle * cw;
     float px = -(f[o + M11] * sx + f[o + M12] * sy);
     float py = -(f[o + M12] * sx + f[o + M22] * sy);
     float turn = -angle * (cw + f[o + KX] * px + f[o + KY] * py);
-    Arms.shift(f, o, bodies, slotA, slotB, px, py, turn);
+    float most = step.maxAngularCorrection;
+    float share = Arms.turnShare(f, o, bodies.mass, a, b, px, py, turn, most);
+    Arms.shift(f, o, bodies, slotA, slotB, share * px, share * py, share * turn);
     return done;
   }
 }

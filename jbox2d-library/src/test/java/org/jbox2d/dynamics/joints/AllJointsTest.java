@@ -154,6 +154,10 @@ class AllJointsTest {
     assertEquals(before[2], after[2], 1e-3, "angular momentum about the origin, 6 m away");
   }
 
+  /**
+   * Bodies that get faster may still make a buffer of the continuous phase grow once; what is
+   * allocated in each step shows in every window.
+   */
   @ParameterizedTest
   @EnumSource(
       value = JointType.class,
@@ -165,9 +169,12 @@ class AllJointsTest {
     JointScene scene = scene(type, 1f);
     scene.step(300);
     long thread = Thread.currentThread().getId();
-    long before = threads.getThreadAllocatedBytes(thread);
-    scene.step(100);
-    long used = threads.getThreadAllocatedBytes(thread) - before;
+    long used = Long.MAX_VALUE;
+    for (int window = 0; window < 5; window++) {
+      long before = threads.getThreadAllocatedBytes(thread);
+      scene.step(100);
+      used = Math.min(used, threads.getThreadAllocatedBytes(thread) - before);
+    }
     assertTrue(used < 100, type + " allocated " + used + " bytes in 100 steps");
   }
 
