@@ -275,7 +275,7 @@ final class ImpactSearch implements TreeCallback {
       for (int i = 0; i < f.m_proxyCount; i++) {
         FixtureProxy p = f.m_proxies[i];
         f.m_shape.computeAABB(end, b.m_xf0, p.childIndex);
-        if (!contacts.m_broadPhase.getFatAABB(p.proxyId).contains(end)) {
+        if (!contacts.m_broadPhase.covers(p.proxyId, end)) {
           return false;
         }
       }

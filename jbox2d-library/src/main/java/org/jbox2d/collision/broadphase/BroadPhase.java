@@ -60,6 +60,11 @@ public interface BroadPhase {
     return testOverlap(proxyIdA, proxyIdB);
   }
 
+  /** Whether the enlarged box of a proxy contains a box. */
+  default boolean covers(int proxyId, AABB aabb) {
+    return getFatAABB(proxyId).contains(aabb);
+  }
+
   /** Number of proxies. */
   int getProxyCount();
 

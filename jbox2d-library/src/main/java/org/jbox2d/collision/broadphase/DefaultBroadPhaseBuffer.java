@@ -119,6 +119,11 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   }
 
   @Override
+  public boolean covers(int proxyId, AABB aabb) {
+    return tree != null ? tree.covers(proxyId, aabb) : getFatAABB(proxyId).contains(aabb);
+  }
+
+  @Override
   public boolean testTightOverlap(int proxyIdA, int proxyIdB, float slack) {
     float[] box = tight;
     int i = 4 * proxyIdA;

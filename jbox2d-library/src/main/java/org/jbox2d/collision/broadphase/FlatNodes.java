@@ -1,6 +1,7 @@
 package org.jbox2d.collision.broadphase;
 
 import java.util.Arrays;
+import org.jbox2d.collision.AABB;
 
 /**
  * The nodes of a binary tree of boxes, as parallel arrays indexed by node: storage, free list and
@@ -152,6 +153,15 @@ abstract class FlatNodes {
         && box[j] <= box[i + 2]
         && box[i + 1] <= box[j + 3]
         && box[j + 1] <= box[i + 3];
+  }
+
+  /** Whether the box of a node contains another box, borders included. */
+  final boolean covers(int node, AABB aabb) {
+    int i = 4 * node;
+    return bounds[i] <= aabb.lowerBound.x
+        && bounds[i + 1] <= aabb.lowerBound.y
+        && aabb.upperBound.x <= bounds[i + 2]
+        && aabb.upperBound.y <= bounds[i + 3];
   }
 
   /**
