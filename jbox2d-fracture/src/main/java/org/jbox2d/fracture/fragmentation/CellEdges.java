@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.DoubleUnaryOperator;
 import org.jbox2d.fracture.voronoi.VoronoiDiagram;
 
 /**
@@ -30,17 +29,15 @@ final class CellEdges {
       int[] pieceOfSite,
       Noder noder,
       List<? extends RegionOfEffect> regions,
-      DoubleUnaryOperator toInputX,
-      DoubleUnaryOperator toInputY,
-      double snapDistance) {
+      LocalFrame frame) {
     diagram = voronoi;
-    snap = snapDistance;
+    snap = frame.snap();
     ensure();
     findLeaders(pieceOfSite);
     for (int i = 0; i < diagram.siteCount(); i++) {
       matters[i] = regions.isEmpty();
       for (int k = 0; k < regions.size() && !matters[i]; k++) {
-        matters[i] = mayOverlap(i, regions.get(k), toInputX, toInputY);
+        matters[i] = mayOverlap(i, regions.get(k), frame);
       }
     }
     spreadOverPieces();
@@ -72,10 +69,15 @@ final class CellEdges {
   }
 
   private void findLeaders(int[] pieceOfSite) {
-    Map<Integer, Integer> first = new HashMap<>();
     for (int i = 0; i < diagram.siteCount(); i++) {
       leader[i] = i;
-      if (pieceOfSite != null && pieceOfSite[i] >= 0) {
+    }
+    if (pieceOfSite == null) {
+      return;
+    }
+    Map<Integer, Integer> first = new HashMap<>();
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      if (pieceOfSite[i] >= 0) {
         Integer earlier = first.putIfAbsent(pieceOfSite[i], i);
         leader[i] = earlier == null ? i : earlier;
       }
@@ -92,15 +94,14 @@ final class CellEdges {
     }
   }
 
-  private boolean mayOverlap(
-      int cell, RegionOfEffect region, DoubleUnaryOperator toInputX, DoubleUnaryOperator toInputY) {
+  private boolean mayOverlap(int cell, RegionOfEffect region, LocalFrame frame) {
     double minX = Double.POSITIVE_INFINITY;
     double minY = Double.POSITIVE_INFINITY;
     double maxX = Double.NEGATIVE_INFINITY;
     double maxY = Double.NEGATIVE_INFINITY;
     for (int k = diagram.cellStart(cell); k < diagram.cellEnd(cell); k++) {
-      double x = toInputX.applyAsDouble(diagram.vertexX(diagram.cornerVertex(k)));
-      double y = toInputY.applyAsDouble(diagram.vertexY(diagram.cornerVertex(k)));
+      double x = frame.toInputX(diagram.vertexX(diagram.cornerVertex(k)));
+      double y = frame.toInputY(diagram.vertexY(diagram.cornerVertex(k)));
       minX = Math.min(minX, x);
       maxX = Math.max(maxX, x);
       minY = Math.min(minY, y);

@@ -12,32 +12,17 @@ import org.jbox2d.fracture.voronoi.VoronoiDiagram;
 /**
  * Breaks an outline along the edges of a Voronoi diagram or along a given polyline.
  *
- * <p>The way through: check the outline; go to local coordinates; Voronoi diagram; split cuts and
- * outline at each other ({@link Noder}); find the pieces ({@link PlanarMap}); merge small ones
- * ({@link PieceGroups}); choose those that break away ({@link BreakAway}); unite the others; trace
- * outlines ({@link RingTracer}); check the area.
- *
- * <p>Local coordinates: the origin is the middle of the outline's bounding box, the unit a power of
- * two not below its extent. So tolerances are relative to the outline, however small, large or far
- * from the origin it is.
+ * <p>The way through: check the outline; go to local coordinates ({@link LocalFrame}); Voronoi
+ * cells that matter ({@link CellSelection}); split cuts and outline at each other ({@link Noder});
+ * find the pieces ({@link PlanarMap}); merge small ones ({@link PieceGroups}); choose those that
+ * break away ({@link BreakAway}); unite the others; trace outlines ({@link RingTracer}); check the
+ * area.
  *
  * <p>A pure function of its arguments. An instance owns workspaces and reuses them; not for use by
  * two threads at once. Malformed outlines and whatever goes wrong inside are reported by the
  * result's status, never thrown.
  */
 public final class Fragmenter {
-  /**
-   * Least distance of two points, in the local unit: far above the rounding of constructed points
-   * (a few 2^-52), far below what a float of the same magnitude can show (2^-24).
-   */
-  private static final double LEAST_SNAP = 0x1p-36;
-
-  /**
-   * Points of the result must stay apart when they are rounded in the input's coordinates: so many
-   * units in the last place.
-   */
-  private static final double SNAP_ULPS = 8;
-
   /**
    * Slivers narrower than this many snapping distances are merged whatever the limits: rounding
    * made them.
@@ -62,15 +47,9 @@ public final class Fragmenter {
   private final BreakAway breakAway = new BreakAway();
 
   private Outline outline;
-  private double originX;
-  private double originY;
-  private double scale;
-  private double snap;
-  private double minX;
-  private double minY;
-  private double maxX;
-  private double maxY;
-  private double[] localSites = new double[0];
+  private final LocalFrame frame = new LocalFrame();
+  private final CellSelection selection = new CellSelection();
+  private boolean cutByCells;
   private double[] result = new double[0];
   private int[] classOfPiece = new int[0];
   private int[] groupOfClass = new int[0];
@@ -121,10 +100,17 @@ public final class Fragmenter {
     if (refusal != null) {
       return refusal;
     }
-    toLocal(sites, siteCount);
-    voronoi.compute(
-        localSites, siteCount, minX - MARGIN, minY - MARGIN, maxX + MARGIN, maxY + MARGIN);
-    cellEdges.add(voronoi, pieceOfSite, noder, regions, this::toInputX, this::toInputY, snap);
+    checkPoints(sites, siteCount);
+    cutByCells = true;
+    // The cells of a piece may lie far from the region that the piece is in: then no site is left
+    // out.
+    selection.compute(
+        sites,
+        siteCount,
+        pieceOfSite == null ? regions : Collections.<RegionOfEffect>emptyList(),
+        frame,
+        voronoi);
+    cellEdges.add(voronoi, pieceOfSite, noder, regions, frame);
     return finish(regions, limits);
   }
 
@@ -146,10 +132,11 @@ public final class Fragmenter {
     if (refusal != null) {
       return refusal;
     }
-    toLocal(polyline, points);
-    int last = noder.addNode(localSites[0], localSites[1]);
+    checkPoints(polyline, points);
+    cutByCells = false;
+    int last = addNode(polyline[0], polyline[1]);
     for (int i = 1; i < points; i++) {
-      int next = noder.addNode(localSites[2 * i], localSites[2 * i + 1]);
+      int next = addNode(polyline[2 * i], polyline[2 * i + 1]);
       noder.addSegment(last, next, -1, -1, false, true);
       last = next;
     }
@@ -165,10 +152,10 @@ public final class Fragmenter {
       return Fragmentation.failure(FragmentationStatus.INVALID_OUTLINE, check.message());
     }
     outline = body.normal();
-    chooseFrame();
-    noder.clear(snap);
+    frame.choose(outline);
+    noder.clear(frame.snap());
     for (int i = 0; i < outline.vertexCount(); i++) {
-      noder.addNode(toLocalX(outline.x(i)), toLocalY(outline.y(i)));
+      addNode(outline.x(i), outline.y(i));
     }
     for (int r = 0; r < outline.ringCount(); r++) {
       int last = outline.ringEnd(r) - 1;
@@ -180,63 +167,20 @@ public final class Fragmenter {
     return null;
   }
 
-  private void chooseFrame() {
-    minX = Double.POSITIVE_INFINITY;
-    minY = Double.POSITIVE_INFINITY;
-    maxX = Double.NEGATIVE_INFINITY;
-    maxY = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < outline.vertexCount(); i++) {
-      minX = Math.min(minX, outline.x(i));
-      maxX = Math.max(maxX, outline.x(i));
-      minY = Math.min(minY, outline.y(i));
-      maxY = Math.max(maxY, outline.y(i));
-    }
-    double extent = Math.max(maxX - minX, maxY - minY);
-    // A float has few enough digits that most differences to it are exact.
-    originX = (float) (0.5 * (minX + maxX));
-    originY = (float) (0.5 * (minY + maxY));
-    scale = 1 / Math.scalb(1.0, Math.getExponent(extent) + 1);
-    double far =
-        Math.max(
-            Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)));
-    snap = Math.max(LEAST_SNAP, SNAP_ULPS * Math.ulp(far) * scale);
-    minX = toLocalX(minX);
-    maxX = toLocalX(maxX);
-    minY = toLocalY(minY);
-    maxY = toLocalY(maxY);
+  private int addNode(double x, double y) {
+    return noder.addNode(frame.toLocalX(x), frame.toLocalY(y));
   }
 
-  private void toLocal(double[] points, int count) {
+  private static void checkPoints(double[] points, int count) {
     if (count < 0 || points.length / 2 < count) {
       throw new IllegalArgumentException("number of points: " + count);
     }
-    if (localSites.length < 2 * count) {
-      localSites = new double[3 * count];
-    }
     for (int i = 0; i < count; i++) {
-      localSites[2 * i] = toLocalX(points[2 * i]);
-      localSites[2 * i + 1] = toLocalY(points[2 * i + 1]);
-      if (localSites[2 * i] * 0 + localSites[2 * i + 1] * 0 != 0) {
+      if (points[2 * i] * 0 + points[2 * i + 1] * 0 != 0) {
         throw new IllegalArgumentException(
             "point " + i + " is not finite: (" + points[2 * i] + ", " + points[2 * i + 1] + ")");
       }
     }
-  }
-
-  private double toLocalX(double x) {
-    return (x - originX) * scale;
-  }
-
-  private double toLocalY(double y) {
-    return (y - originY) * scale;
-  }
-
-  private double toInputX(double x) {
-    return x / scale + originX;
-  }
-
-  private double toInputY(double y) {
-    return y / scale + originY;
   }
 
   // ---- after the cuts are known ----
@@ -251,10 +195,11 @@ public final class Fragmenter {
           FragmentationStatus.NO_CONSISTENT_PIECES, "inside and outside cannot be told apart");
     }
     groups.build(map);
-    double area = outline.area() * scale * scale;
+    double snap = frame.snap();
+    double area = outline.area() * frame.scale() * frame.scale();
     groups.mergeSmall(
         Math.max(limits.areaShare() * area, snap * snap),
-        Math.max(limits.width() * scale, SLIVER_SNAPS * snap));
+        Math.max(limits.width() * frame.scale(), SLIVER_SNAPS * snap));
     resultCoordinates();
     if (!choose(regions)) {
       return Fragmentation.unbroken(outline);
@@ -271,8 +216,8 @@ public final class Fragmenter {
     }
     System.arraycopy(outline.coordinates(), 0, result, 0, 2 * outline.vertexCount());
     for (int i = outline.vertexCount(); i < n; i++) {
-      result[2 * i] = toInputX(xy[2 * i]);
-      result[2 * i + 1] = toInputY(xy[2 * i + 1]);
+      result[2 * i] = frame.toInputX(xy[2 * i]);
+      result[2 * i + 1] = frame.toInputY(xy[2 * i + 1]);
     }
   }
 
@@ -362,16 +307,16 @@ public final class Fragmenter {
    * outline's thinnest parts.
    */
   private double areaTolerance() {
-    double extent = (maxX - minX) + (maxY - minY);
-    double localArea = outline.area() * scale * scale;
-    return AREA_TOLERANCE + 4 * snap * extent / localArea;
+    double extent = (frame.maxX() - frame.minX()) + (frame.maxY() - frame.minY());
+    double localArea = outline.area() * frame.scale() * frame.scale();
+    return AREA_TOLERANCE + 4 * frame.snap() * extent / localArea;
   }
 
   /** The site whose cell the first piece of a group lies in. */
   private int siteOf(int group) {
     for (int k = groups.edgeStart(group); k < groups.edgeEnd(group); k++) {
       if (map.outlineEdge(groups.edge(k)) < 0) {
-        return map.label(groups.edge(k));
+        return cutByCells ? selection.site(map.label(groups.edge(k))) : -1;
       }
     }
     return -1;

@@ -175,4 +175,48 @@ class FragmenterTest {
           b.fragments().get(i).outline().coordinates());
     }
   }
+
+  /** The second region hits nothing, but makes the fragmenter look at many more sites. */
+  @Test
+  void sitesFarFromTheRegionMakeNoDifference() {
+    for (SiteKind kind : SiteKind.values()) {
+      double[] sites = kind.make(new java.util.Random(8), 2000);
+      RegionOfEffect region = new ImpactRegion(-1, 0.2, 1, 0.5, 0.15, 0.3);
+      RegionOfEffect nowhere = new ImpactRegion(30, 30, 0, 0, 1e-3, 1e-3);
+      Fragmentation few =
+          new Fragmenter()
+              .fragment(BOX, sites, 2000, Collections.singletonList(region), PieceLimits.NONE);
+      Fragmentation many =
+          new Fragmenter()
+              .fragment(
+                  BOX, sites, 2000, java.util.Arrays.asList(region, nowhere), PieceLimits.NONE);
+      assertEquals(many.fragments().size(), few.fragments().size(), kind.name());
+      java.util.Map<Integer, Double> areas = new java.util.HashMap<>();
+      many.fragments().forEach(f -> areas.put(f.site(), f.outline().area()));
+      few.fragments()
+          .forEach(f -> assertEquals(areas.get(f.site()), f.outline().area(), 1e-9, kind.name()));
+    }
+  }
+
+  static List<org.jbox2d.fracture.geometry.WktOutlines.Line> handPicked()
+      throws java.io.IOException {
+    return org.jbox2d.fracture.geometry.WktOutlines.read("valid.wkt");
+  }
+
+  @ParameterizedTest
+  @org.junit.jupiter.params.provider.MethodSource("handPicked")
+  void handPickedOutlines(org.jbox2d.fracture.geometry.WktOutlines.Line line) {
+    Outline body = line.outline;
+    double size = body.x(1) - body.x(0) + body.y(1) - body.y(0);
+    for (SiteKind kind : SiteKind.values()) {
+      double[] sites = kind.make(new java.util.Random(2), 60);
+      for (int i = 0; i < 60; i++) {
+        sites[2 * i] = body.x(0) + size * sites[2 * i];
+        sites[2 * i + 1] = body.y(0) + size * sites[2 * i + 1];
+      }
+      Fragmentation result =
+          new Fragmenter().fragment(body, sites, 60, EVERYWHERE, PieceLimits.NONE);
+      assertNull(FragmentationOracle.fault(body, result, 1e-6, true), line + " " + kind);
+    }
+  }
 }

@@ -1,0 +1,89 @@
+package org.jbox2d.fracture.triangulation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.jbox2d.fracture.fragmentation.OutlineKind;
+import org.jbox2d.fracture.geometry.Outline;
+import org.jbox2d.fracture.geometry.Predicates;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class TriangulatorTest {
+  private static final int CASES = 100;
+
+  private static void check(Outline outline, TriangleMesh mesh) {
+    double area = 0;
+    double[] xy = outline.coordinates();
+    for (int t = 0; t < mesh.triangleCount(); t++) {
+      int a = mesh.vertex(3 * t);
+      int b = mesh.vertex(3 * t + 1);
+      int c = mesh.vertex(3 * t + 2);
+      assertEquals(1, Predicates.orientation(xy, a, b, c));
+      area +=
+          0.5
+              * ((xy[2 * b] - xy[2 * a]) * (xy[2 * c + 1] - xy[2 * a + 1])
+                  - (xy[2 * b + 1] - xy[2 * a + 1]) * (xy[2 * c] - xy[2 * a]));
+    }
+    assertEquals(1, area / outline.area(), 1e-9);
+    // Euler: n vertices and h holes make n + 2h - 2 triangles.
+    int holes = outline.ringCount() - 1;
+    assertEquals(outline.vertexCount() + 2 * holes - 2, mesh.triangleCount());
+  }
+
+  @ParameterizedTest
+  @EnumSource(OutlineKind.class)
+  void delaunayNeverFails(OutlineKind kind) {
+    DelaunayTriangulator triangulator = new DelaunayTriangulator();
+    TriangleMesh mesh = new TriangleMesh();
+    for (int seed = 0; seed < CASES; seed++) {
+      Random random = new Random(seed);
+      Outline outline = kind.make(random, 3 + random.nextInt(100), random.nextInt(4)).normal();
+      assertTrue(triangulator.triangulate(outline, mesh));
+      check(outline, mesh);
+    }
+  }
+
+  /** poly2tri may give up, but what it gives is right. */
+  @ParameterizedTest
+  @EnumSource(OutlineKind.class)
+  void poly2triIsRightOrSaysThatItFailed(OutlineKind kind) {
+    Poly2TriTriangulator triangulator = new Poly2TriTriangulator();
+    TriangleMesh mesh = new TriangleMesh();
+    int done = 0;
+    for (int seed = 0; seed < CASES; seed++) {
+      Random random = new Random(seed);
+      Outline outline = kind.make(random, 3 + random.nextInt(60), random.nextInt(4)).normal();
+      if (triangulator.triangulate(outline, mesh)) {
+        check(outline, mesh);
+        done++;
+      }
+    }
+    assertTrue(done > CASES / 2, "done: " + done);
+  }
+
+  @Test
+  void ringsMayTouchInVertices() {
+    Outline outline =
+        Outline.ofRings(
+            new double[] {0, 0, 4, 0, 4, 4, 0, 4},
+            new double[] {0, 0, 1, 2, 2, 1},
+            new double[] {2, 1, 3, 3, 3, 1});
+    TriangleMesh mesh = new TriangleMesh();
+    assertTrue(new DelaunayTriangulator().triangulate(outline, mesh));
+    double area = 0;
+    double[] xy = outline.coordinates();
+    for (int t = 0; t < mesh.triangleCount(); t++) {
+      int a = mesh.vertex(3 * t);
+      int b = mesh.vertex(3 * t + 1);
+      int c = mesh.vertex(3 * t + 2);
+      area +=
+          0.5
+              * ((xy[2 * b] - xy[2 * a]) * (xy[2 * c + 1] - xy[2 * a + 1])
+                  - (xy[2 * b + 1] - xy[2 * a + 1]) * (xy[2 * c] - xy[2 * a]));
+    }
+    assertEquals(outline.area(), area, 1e-12);
+  }
+}
