@@ -58,8 +58,7 @@ public final class FractureSystem {
     return world.extension(FractureSystem.class, FractureSystem::new);
   }
 
-  // --- Recording, while the world is locked
-  // ---------------------------------------------------------------------------------
+  // --- Recording, while the world is locked ---
 
   /** Records a blow if it is hard enough to matter. */
   void record(Fixture fixture, Material material, SolvedContact solved) {
@@ -78,8 +77,7 @@ public final class FractureSystem {
     book.add(new Strike(fixture, material, blow));
   }
 
-  // --- Breaking, after the step
-  // ---------------------------------------------------------------------------------------------
+  // --- Breaking, after the step ---
 
   /** Breaks what the blows of the step call for. */
   private void breakRecorded() {
@@ -204,8 +202,7 @@ public final class FractureSystem {
     }
   }
 
-  // --- Commands
-  // -------------------------------------------------------------------------------------------------------------
+  // --- Commands ---
 
   /**
    * Strikes a fixture. If the impulse exceeds the rigidity of its material, the fixture breaks as
@@ -345,8 +342,7 @@ public final class FractureSystem {
     }
   }
 
-  // --- Properties
-  // -----------------------------------------------------------------------------------------------------------
+  // --- Properties ---
 
   /** Sets who hears of fractures; may be {@code null}. */
   public void setListener(FractureListener listener) {

@@ -30,8 +30,7 @@ class CommandTest {
     return Range.wall(world, BodyType.DYNAMIC, 5f, Range.uniform(rigidity, 3f));
   }
 
-  // --- Strike
-  // ---------------------------------------------------------------------------------------------------------------
+  // --- Strike ---
 
   @Test
   void weakStrikeOnlyPushes() {
@@ -62,8 +61,7 @@ class CommandTest {
     assertEquals(2f, box.getLinearVelocity().y, 1e-6f);
   }
 
-  // --- Cut
-  // ------------------------------------------------------------------------------------------------------------------
+  // --- Cut ---
 
   @Test
   void cutThroughMakesTwo() {
@@ -139,8 +137,7 @@ class CommandTest {
     assertTrue(pieces.size() >= 2);
   }
 
-  // --- Explosion
-  // ------------------------------------------------------------------------------------------------------------
+  // --- Explosion ---
 
   @Test
   void explosionPushesAwayAndIsShadowed() {
@@ -194,8 +191,7 @@ class CommandTest {
     assertEquals(100, t.mass, 1e-3);
   }
 
-  // --- Listener and limits
-  // --------------------------------------------------------------------------------------------------
+  // --- Listener and limits ---
 
   private static FractureListener collect(List<FractureEvent> events) {
     return new FractureListener() {
@@ -329,8 +325,7 @@ class CommandTest {
     assertEquals(100, Totals.of(world).mass - 5 * Math.PI, 1e-2);
   }
 
-  // --- Bad input
-  // ------------------------------------------------------------------------------------------------------------
+  // --- Bad input ---
 
   @Test
   void badInputIsNamed() {

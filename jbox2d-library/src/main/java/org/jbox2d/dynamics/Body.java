@@ -1,6 +1,5 @@
 package org.jbox2d.dynamics;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.jbox2d.collision.broadphase.BroadPhase;
 import org.jbox2d.collision.shapes.MassData;
@@ -153,8 +152,7 @@ public class Body {
     }
   }
 
-  // --- Fixtures
-  // -------------------------------------------------------------------------------------------------------------
+  // --- Fixtures ---
 
   /**
    * Adds a fixture; the shape is cloned. If the density is positive, the mass of the body is
@@ -166,14 +164,7 @@ public class Body {
    */
   public final Fixture createFixture(FixtureDef def) {
     checkChangeable("createFixture");
-    Checks.notNull(def, "def");
-    def.check();
-    Checks.shape(def.shape, "FixtureDef.shape");
-    Fixture fixture = addFixture(def);
-    if (fixture.m_density > 0f) {
-      resetMassData();
-    }
-    return fixture;
+    return BodyFixtures.create(this, def);
   }
 
   /** Adds a fixture with the given shape and density, kg/m^2, and defaults for the rest. */
@@ -195,44 +186,7 @@ public class Body {
    */
   public final List<Fixture> createFixture(FixtureDef def, CompoundShape compound) {
     checkChangeable("createFixture");
-    Checks.notNull(def, "def");
-    Checks.notNull(compound, "compound");
-    def.check();
-    Shape[] parts = compound.getParts();
-    Checks.notNull(parts, "CompoundShape.getParts()");
-    if (parts.length == 0) {
-      throw new IllegalArgumentException("CompoundShape.getParts() is empty");
-    }
-    for (int i = 0; i < parts.length; i++) {
-      Checks.shape(parts[i], "CompoundShape.getParts()[" + i + "]");
-    }
-    List<Fixture> fixtures = new ArrayList<>(parts.length);
-    Shape given = def.shape;
-    for (Shape part : parts) {
-      def.shape = part;
-      Fixture fixture = addFixture(def);
-      fixture.setCompound(compound);
-      fixtures.add(fixture);
-    }
-    def.shape = given;
-    if (def.density > 0f) {
-      resetMassData();
-    }
-    return fixtures;
-  }
-
-  private Fixture addFixture(FixtureDef def) {
-    Fixture fixture = new Fixture();
-    fixture.create(this, def);
-    if (isActive()) {
-      fixture.createProxies(m_world.m_contactManager.m_broadPhase, m_xf);
-    }
-    fixture.m_next = m_fixtureList;
-    m_fixtureList = fixture;
-    m_fixtureCount++;
-    thickness = -1f;
-    m_world.lookForPairs();
-    return fixture;
+    return BodyFixtures.createAll(this, def, compound);
   }
 
   /**
@@ -247,29 +201,7 @@ public class Body {
       throw new IllegalArgumentException("fixture is not of this body, or was destroyed before");
     }
     checkChangeable("destroyFixture");
-    // Contacts first: they call the listener, which may throw, or destroy the fixture itself.
-    destroyContactsOf(fixture);
-    if (fixture.m_body != this) {
-      return;
-    }
-    Fixture before = null;
-    Fixture f = m_fixtureList;
-    while (f != fixture) {
-      before = f;
-      f = f.m_next;
-    }
-    if (before == null) {
-      m_fixtureList = fixture.m_next;
-    } else {
-      before.m_next = fixture.m_next;
-    }
-    if (isActive()) {
-      fixture.destroyProxies(m_world.m_contactManager.m_broadPhase);
-    }
-    fixture.destroy();
-    fixture.m_body = null;
-    m_fixtureCount--;
-    resetMassData();
+    BodyFixtures.destroy(this, fixture);
   }
 
   /** Throws if the body is of no world any more, or the world is locked. */
@@ -280,7 +212,7 @@ public class Body {
     m_world.checkUnlocked(call);
   }
 
-  private void destroyContactsOf(Fixture fixture) {
+  void destroyContactsOf(Fixture fixture) {
     ContactEdge edge = m_contactList;
     while (edge != null) {
       Contact c = edge.contact;
@@ -291,8 +223,7 @@ public class Body {
     }
   }
 
-  // --- Position
-  // -------------------------------------------------------------------------------------------------------------
+  // --- Position ---
 
   /**
    * Puts the body's origin somewhere. Contacts are found anew in the next step; bodies that touched
@@ -363,8 +294,7 @@ public class Body {
     return m_sweep.localCenter;
   }
 
-  // --- Velocity, forces, impulses
-  // -------------------------------------------------------------------------------------------
+  // --- Velocity, forces, impulses ---
 
   /** Sets the velocity of the centre of mass, m/s; wakes the body. No effect on static bodies. */
   public final void setLinearVelocity(Vec2 v) {
@@ -483,8 +413,7 @@ public class Body {
     m_angularVelocity += m_invI * impulse;
   }
 
-  // --- Mass
-  // -----------------------------------------------------------------------------------------------------------------
+  // --- Mass ---
 
   /** Returns the mass, kg; 0 for static and kinematic bodies. */
   public final float getMass() {
@@ -514,95 +443,15 @@ public class Body {
    */
   public final void setMassData(MassData massData) {
     checkChangeable("setMassData");
-    Checks.notNull(massData, "massData");
-    Checks.finite(massData.mass, "massData.mass");
-    Checks.finite(massData.I, "massData.I");
-    Checks.finite(massData.center, "massData.center");
-    if (m_type != BodyType.DYNAMIC) {
-      return;
-    }
-    float mass = massData.mass > 0f ? massData.mass : 1f;
-    float aboutCentre = 0f;
-    if (massData.I > 0f && (m_flags & e_fixedRotationFlag) == 0) {
-      aboutCentre = massData.I - mass * massData.center.lengthSquared();
-      if (!(aboutCentre > 0f)) {
-        throw new IllegalArgumentException(
-            "massData.I must exceed mass * |center|^2 = "
-                + mass * massData.center.lengthSquared()
-                + ", is "
-                + massData.I);
-      }
-    }
-    setMass(mass, aboutCentre);
-    moveCentre(massData.center);
+    BodyMass.override(this, massData);
   }
 
   /** Computes mass, centre and inertia from the fixtures' shapes and densities. */
   public final void resetMassData() {
-    setMass(0f, 0f);
-    if (m_type != BodyType.DYNAMIC) {
-      m_sweep.localCenter.setZero();
-      m_sweep.c0.set(m_xf.p);
-      m_sweep.c.set(m_xf.p);
-      m_sweep.a0 = m_sweep.a;
-      return;
-    }
-    double mass = 0;
-    double cx = 0;
-    double cy = 0;
-    double inertia = 0;
-    MassData data = m_world.scratchMass;
-    for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
-      if (f.m_density == 0f) {
-        continue;
-      }
-      f.getMassData(data);
-      mass += data.mass;
-      cx += (double) data.mass * data.center.x;
-      cy += (double) data.mass * data.center.y;
-      inertia += data.I;
-    }
-    Vec2 centre = m_world.scratchCentre;
-    centre.setZero();
-    if (mass > 0) {
-      cx /= mass;
-      cy /= mass;
-      centre.set((float) cx, (float) cy);
-      inertia -= mass * (cx * cx + cy * cy);
-    } else {
-      // A dynamic body must have some mass: one without any counts as 1 kg.
-      mass = 1;
-    }
-    boolean turns = inertia > 0 && (m_flags & e_fixedRotationFlag) == 0;
-    setMass((float) mass, turns ? (float) inertia : 0f);
-    moveCentre(centre);
+    BodyMass.reset(this);
   }
 
-  private void setMass(float mass, float inertia) {
-    thickness = -1f;
-    m_mass = mass;
-    m_invMass = mass > 0f ? 1f / mass : 0f;
-    m_I = inertia;
-    m_invI = inertia > 0f ? 1f / inertia : 0f;
-  }
-
-  /**
-   * Moves the centre of mass, and lets the velocity be that of the new centre on the same rigid
-   * motion.
-   */
-  private void moveCentre(Vec2 localCentre) {
-    float oldX = m_sweep.c.x;
-    float oldY = m_sweep.c.y;
-    m_sweep.localCenter.set(localCentre);
-    Transform.mulToOutUnsafe(m_xf, m_sweep.localCenter, m_sweep.c);
-    m_sweep.c0.set(m_sweep.c);
-    m_sweep.a0 = m_sweep.a;
-    m_linearVelocity.x -= m_angularVelocity * (m_sweep.c.y - oldY);
-    m_linearVelocity.y += m_angularVelocity * (m_sweep.c.x - oldX);
-  }
-
-  // --- Frames
-  // ---------------------------------------------------------------------------------------------------------------
+  // --- Frames ---
 
   /** Returns the world position of a local point, as a new vector. */
   public final Vec2 getWorldPoint(Vec2 localPoint) {
@@ -690,8 +539,7 @@ public class Body {
     getLinearVelocityFromWorldPointToOut(out, out);
   }
 
-  // --- Properties
-  // -----------------------------------------------------------------------------------------------------------
+  // --- Properties ---
 
   /** Returns the linear damping, 1/s. */
   public final float getLinearDamping() {
@@ -930,8 +778,7 @@ public class Body {
     return true;
   }
 
-  // --- Engine
-  // ---------------------------------------------------------------------------------------------------------------
+  // --- Engine ---
 
   /** Moves the broad-phase proxies to where the body is. Called by the engine. */
   protected final void synchronizeFixtures() {

@@ -120,8 +120,7 @@ final class ContinuousCollision implements TreeCallback {
     }
   }
 
-  // --- What is fast
-  // ---------------------------------------------------------------------------------------------------------
+  // --- What is fast ---
 
   /**
    * Queues the fast dynamic bodies and lists the kinematic ones; returns whether one is a bullet.
@@ -207,8 +206,7 @@ final class ContinuousCollision implements TreeCallback {
     kinematics = kept;
   }
 
-  // --- Moving bodies against one another
-  // ------------------------------------------------------------------------------------
+  // --- Moving bodies against one another ---
 
   /**
    * Lets the boxes of what has moved far cover its whole way, so that others on theirs find it.
@@ -265,8 +263,7 @@ final class ContinuousCollision implements TreeCallback {
     return true;
   }
 
-  // --- One body
-  // -------------------------------------------------------------------------------------------------------------
+  // --- One body ---
 
   private void follow(Body b) {
     search.reset();
@@ -424,8 +421,7 @@ final class ContinuousCollision implements TreeCallback {
     return true;
   }
 
-  // --- End
-  // ------------------------------------------------------------------------------------------------------------------
+  // --- End ---
 
   private void noteMoved(Body b) {
     if ((b.m_flags & Body.e_toiFlag) != 0) {

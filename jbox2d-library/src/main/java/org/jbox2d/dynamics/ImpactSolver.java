@@ -73,8 +73,7 @@ final class ImpactSolver {
     Arrays.fill(slots, null);
   }
 
-  // --- Gather
-  // ---------------------------------------------------------------------------------------------------------------
+  // --- Gather ---
 
   private void gather(Body b, Body o, Contact impact, ContactListener listener) {
     bodies.count = 0;
@@ -161,8 +160,7 @@ final class ImpactSolver {
     return i;
   }
 
-  // --- Solve
-  // ----------------------------------------------------------------------------------------------------------------
+  // --- Solve ---
 
   private void pushApart(StepConfig step) {
     float slop = step.linearSlop;
@@ -188,8 +186,7 @@ final class ImpactSolver {
     }
   }
 
-  // --- Impulses
-  // -------------------------------------------------------------------------------------------------------------
+  // --- Impulses ---
 
   /** Sets the impulses of the whole step aside, and shows those of the impact to the listener. */
   private void keepImpulses() {

@@ -56,8 +56,7 @@ final class IslandSolver {
     islands.release();
   }
 
-  // --- Gather
-  // ---------------------------------------------------------------------------------------------------------------
+  // --- Gather ---
 
   /**
    * Copies the awake bodies to their slots and applies gravity, forces and damping to the
@@ -166,8 +165,7 @@ final class IslandSolver {
     }
   }
 
-  // --- Solve
-  // ----------------------------------------------------------------------------------------------------------------
+  // --- Solve ---
 
   private void solveVelocities(StepConfig step) {
     int[] c = islands.contactStart;
@@ -196,8 +194,7 @@ final class IslandSolver {
     }
   }
 
-  // --- Scatter
-  // --------------------------------------------------------------------------------------------------------------
+  // --- Scatter ---
 
   private void scatter(StepConfig step) {
     AwakeSet awake = world.awake;
@@ -233,8 +230,7 @@ final class IslandSolver {
     }
   }
 
-  // --- Sleep
-  // ----------------------------------------------------------------------------------------------------------------
+  // --- Sleep ---
 
   /**
    * An island sleeps when all its bodies have been slow for long enough and its positions are

@@ -107,8 +107,7 @@ public class World {
     continuous = new ContinuousCollision(this);
   }
 
-  // --- Step
-  // -----------------------------------------------------------------------------------------------------------------
+  // --- Step ---
 
   /**
    * Moves the world on by {@code dt}.
@@ -238,8 +237,7 @@ public class World {
     }
   }
 
-  // --- Bodies and joints
-  // ----------------------------------------------------------------------------------------------------
+  // --- Bodies and joints ---
 
   /**
    * Makes a body.
@@ -460,8 +458,7 @@ public class World {
     to.setAwake(true);
   }
 
-  // --- Awake set
-  // ------------------------------------------------------------------------------------------------------------
+  // --- Awake set ---
 
   /** Lets the step look at a body and its contacts, if it is awake, active and can move. */
   void enterAwakeSet(Body b) {
@@ -521,8 +518,7 @@ public class World {
     m_flags |= NEW_FIXTURE;
   }
 
-  // --- Queries
-  // --------------------------------------------------------------------------------------------------------------
+  // --- Queries ---
 
   /**
    * Reports every fixture whose bounds overlap {@code aabb}; a fixture with several children may be
@@ -552,8 +548,7 @@ public class World {
     new WorldRayCast(m_contactManager.m_broadPhase, callback).cast(point1, point2);
   }
 
-  // --- Extensions
-  // -----------------------------------------------------------------------------------------------------------
+  // --- Extensions ---
 
   /**
    * Returns this world's object of a type, made by {@code factory} when first asked for. It lets a
@@ -572,8 +567,7 @@ public class World {
     return made;
   }
 
-  // --- Properties
-  // -----------------------------------------------------------------------------------------------------------
+  // --- Properties ---
 
   /** Returns the first body of the list, the newest, or {@code null}. */
   public Body getBodyList() {
