@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -56,6 +60,38 @@ class RevoluteJointTest {
     scene.world.setGravity(new Vec2(0f, JointScene.G));
     scene.step(240);
     assertEquals(0.25f, joint.getJointAngle(), 1e-4f);
+  }
+
+  /**
+   * A small bob at the end of a long arm used to bounce at its limit and to tear 0.18 m off its
+   * pin, as an angular impulse on it alone hardly stops it.
+   */
+  @Test
+  void aLimitStopsABobFarFromItsPin() {
+    World world = new World(new Vec2(0f, -10f));
+    Body ground = world.createBody(new BodyDef());
+    BodyDef def = new BodyDef();
+    def.type = BodyType.DYNAMIC;
+    def.position.set(0f, 8f);
+    Body bob = world.createBody(def);
+    CircleShape circle = new CircleShape();
+    circle.m_radius = 0.5f;
+    bob.createFixture(circle, 5f);
+    RevoluteJointDef pin = new RevoluteJointDef();
+    pin.initialize(ground, bob, new Vec2());
+    pin.enableLimit = true;
+    pin.lowerAngle = -0.5f;
+    pin.upperAngle = 1.5f;
+    RevoluteJoint joint = (RevoluteJoint) world.createJoint(pin);
+    bob.setLinearVelocity(new Vec2(-3f, 0f));
+    bob.setAngularVelocity(3f / 8f);
+    for (int i = 0; i < 240; i++) {
+      world.step(1f / 60f, 8, 3);
+      assertTrue(joint.getJointAngle() < 1.501f, "beyond the limit");
+      assertEquals(8f, bob.getPosition().length(), 0.006f, "distance from the pin");
+    }
+    assertEquals(1.5f, joint.getJointAngle(), 1e-3f);
+    assertEquals(0f, joint.getJointSpeed(), 1e-3f);
   }
 
   @Test
