@@ -3,8 +3,14 @@ package org.jbox2d.testbed.headless;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.fracture.FractureFailure;
+import org.jbox2d.fracture.FractureListener;
+import org.jbox2d.fracture.FractureSystem;
+import org.jbox2d.fracture.Material;
 import org.jbox2d.testbed.paint.Palette;
 import org.jbox2d.testbed.paint.SnapshotPainter;
 import org.jbox2d.testbed.paint.View;
@@ -56,6 +62,9 @@ public final class HeadlessRunner {
     run = new Simulation(request.scene(), request.hz(), request.seed());
     camera = new SnapshotTaker(run);
     phases = new PhaseTimes();
+    if (!request.hashOnly()) {
+      FractureSystem.of(run.world()).setListener(new FailureReport());
+    }
     try (CsvLog csv = request.csv() == null ? null : new CsvLog(request.csv());
         GifAnimation gif =
             request.gif() == null ? null : new GifAnimation(request.gif(), GIF_FRAME)) {
@@ -138,6 +147,17 @@ public final class HeadlessRunner {
   private void written(String what, Path file) {
     if (file != null) {
       out.println(what + " written to " + file.toAbsolutePath().normalize());
+    }
+  }
+
+  /** Prints the fractures that were given up, with their input. */
+  private final class FailureReport implements FractureListener {
+    @Override
+    public void action(Material material, float intensity, List<Body> fragments) {}
+
+    @Override
+    public void failed(FractureFailure failure) {
+      out.println("step " + run.steps() + ": " + failure);
     }
   }
 }

@@ -44,11 +44,15 @@ class SceneRunTest {
   private static final float INTO_WALL_ON_THE_WAY = 0.5f;
 
   /**
-   * Root mean square speed below which a pile counts as calm, m/s: a tenth of what a body gains by
-   * falling its own linear size of half a metre (3.1 m/s). Piles of hundreds of bodies still settle
-   * at single spots after ten seconds, so that not each body is asked to lie still.
+   * Speed below which a body counts as calm, m/s: what it gains by falling 13 mm, far less than the
+   * size of nearly all pieces. {@link #CALM_SHARE} of the bodies must be calm at the end: after ten
+   * seconds a slab may still slide off a steep heap, but a heap that jitters or bursts moves as a
+   * whole.
    */
-  private static final double CALM = 0.3;
+  private static final float CALM = 0.5f;
+
+  /** See {@link #CALM}. */
+  private static final double CALM_SHARE = 0.8;
 
   /**
    * Mean depth, along all edges, to which fragments may overlap when born, m: a fiftieth of
@@ -130,16 +134,15 @@ class SceneRunTest {
 
   /** Discs are left out: the engine knows no rolling resistance, so that they roll on. */
   private static void assertCalm(World world) {
-    double mass = 0;
-    double sum = 0;
+    int bodies = 0;
+    int calm = 0;
     for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
-      if (b.m_fixtureCount > 0 && b.getFixtureList().getType() != ShapeType.CIRCLE) {
-        mass += b.getMass();
-        sum += b.getMass() * b.m_linearVelocity.lengthSquared();
+      if (b.getType() == BodyType.DYNAMIC && b.getFixtureList().getType() != ShapeType.CIRCLE) {
+        bodies++;
+        calm += b.m_linearVelocity.length() < CALM ? 1 : 0;
       }
     }
-    double speed = mass > 0 ? Math.sqrt(sum / mass) : 0;
-    assertTrue(speed < CALM, "root mean square speed at the end " + speed);
+    assertTrue(calm >= CALM_SHARE * bodies, calm + " calm of " + bodies);
   }
 
   /** Looks at the fragments of each fracture when they are born. */
