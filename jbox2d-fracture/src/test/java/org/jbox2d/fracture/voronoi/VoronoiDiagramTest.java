@@ -62,8 +62,9 @@ class VoronoiDiagramTest {
     int[] counts = {0, 1, 2, 3, 4, 5, 7, 10, 16, 33, 64, 100, 256, 1000};
     double[] scales = {1e-6, 1e-3, 1, 1e3, 1e6};
     double[] offsets = {0, 0, 1, 1e4, 1e6};
-    for (int repeat = 0; repeat < 150; repeat++) {
-      int n = counts[random.nextInt(repeat < 140 ? counts.length - 2 : counts.length)];
+    int cases = Integer.getInteger("geometry.cases", 2000);
+    for (int repeat = 0; repeat < cases; repeat++) {
+      int n = counts[random.nextInt(repeat % 50 > 0 ? counts.length - 2 : counts.length)];
       double scale = scales[random.nextInt(scales.length)];
       double offset = offsets[random.nextInt(offsets.length)] * scale;
       double[] sites = kind.make(random, n);
