@@ -223,10 +223,10 @@ public class PolygonShape extends Shape {
       Vec2 v = m_vertices[i];
       float x = c * v.x - s * v.y;
       float y = s * v.x + c * v.y;
-      minX = Math.min(minX, x);
-      minY = Math.min(minY, y);
-      maxX = Math.max(maxX, x);
-      maxY = Math.max(maxY, y);
+      minX = x < minX ? x : minX;
+      minY = y < minY ? y : minY;
+      maxX = x > maxX ? x : maxX;
+      maxY = y > maxY ? y : maxY;
     }
     aabb.lowerBound.set(minX + xf.p.x - m_radius, minY + xf.p.y - m_radius);
     aabb.upperBound.set(maxX + xf.p.x + m_radius, maxY + xf.p.y + m_radius);

@@ -16,7 +16,7 @@ import java.util.Arrays;
  * so that only the cross products are stored, not the arms.
  */
 public final class ContactConstraints {
-  public static final int V_STRIDE = 34;
+  public static final int V_STRIDE = 28;
 
   // Velocity record: shared part.
   public static final int INV_MASS_A = 0;
@@ -31,29 +31,32 @@ public final class ContactConstraints {
   /** First of the two point blocks, and the length of one. */
   public static final int POINT = 8;
 
-  public static final int POINT_STRIDE = 9;
+  public static final int POINT_STRIDE = 8;
 
-  // Within a point block: cross products of the arms with normal and tangent, effective masses, the
-  // speed the normal
-  // constraint aims at (restitution), and the impulses.
+  // Within a point block: cross products of the arms with normal and tangent, effective mass along
+  // the tangent, the speed the normal constraint aims at (restitution), and the impulses.
   public static final int RN_A = 0;
   public static final int RN_B = 1;
   public static final int RT_A = 2;
   public static final int RT_B = 3;
-  public static final int NORMAL_MASS = 4;
-  public static final int TANGENT_MASS = 5;
-  public static final int BIAS = 6;
-  public static final int NORMAL_IMPULSE = 7;
-  public static final int TANGENT_IMPULSE = 8;
+  public static final int TANGENT_MASS = 4;
+  public static final int BIAS = 5;
+  public static final int NORMAL_IMPULSE = 6;
+  public static final int TANGENT_IMPULSE = 7;
 
-  // Matrix of the two-point block and its inverse (symmetric).
-  public static final int K11 = 26;
-  public static final int K12 = 27;
-  public static final int K22 = 28;
-  public static final int M11 = 29;
-  public static final int M12 = 30;
-  public static final int M22 = 31;
-  public static final int RESTITUTION = 32;
+  // Inverse of the (symmetric) matrix of the normals: of both points, or M11 alone of the one.
+  public static final int M11 = 24;
+  public static final int M12 = 25;
+  public static final int M22 = 26;
+  public static final int RESTITUTION = 27;
+
+  public static final int K_STRIDE = 3;
+
+  // Block record: the matrix of the two normals itself. It is read only where one of them does not
+  // push, so it is kept apart from what each iteration streams through the cache.
+  public static final int K11 = 0;
+  public static final int K12 = 1;
+  public static final int K22 = 2;
 
   public static final int P_STRIDE = 16;
 
@@ -95,6 +98,7 @@ public final class ContactConstraints {
   public int[] kind = new int[0];
   public float[] vel = new float[0];
   public float[] pos = new float[0];
+  public float[] block = new float[0];
 
   public void ensureCapacity(int n) {
     if (n <= bodyA.length) {
@@ -108,5 +112,6 @@ public final class ContactConstraints {
     kind = Arrays.copyOf(kind, capacity);
     vel = Arrays.copyOf(vel, V_STRIDE * capacity);
     pos = Arrays.copyOf(pos, P_STRIDE * capacity);
+    block = Arrays.copyOf(block, K_STRIDE * capacity);
   }
 }

@@ -29,11 +29,13 @@ public final class ContactPositionKernel {
     float least = 0f;
     for (int i = from; i < to; i++) {
       if (cc.kind[i] == CIRCLES) {
-        least = Math.min(least, solveCircles(cc, bodies, i, beta, slop, maxCorrection));
+        float s = solveCircles(cc, bodies, i, beta, slop, maxCorrection);
+        least = s < least ? s : least;
       } else {
         int n = cc.manifoldPoints[i];
         for (int j = 0; j < n; j++) {
-          least = Math.min(least, solveFacePoint(cc, bodies, i, j, beta, slop, maxCorrection));
+          float s = solveFacePoint(cc, bodies, i, j, beta, slop, maxCorrection);
+          least = s < least ? s : least;
         }
       }
     }
@@ -55,8 +57,9 @@ public final class ContactPositionKernel {
     float dy = x[oB + 1] - x[oA + 1] + by - ay;
     float length = (float) Math.sqrt(dx * dx + dy * dy);
     float separation = length - p[po + RADIUS_A] - p[po + RADIUS_B];
-    float error = Math.max(-max, Math.min(beta * (separation + slop), 0f));
+    float error = beta * (separation + slop);
     if (error < 0f) {
+      error = error < -max ? -max : error;
       float nx = length > 0f ? dx / length : 1f;
       float ny = length > 0f ? dy / length : 0f;
       // The point midway between the centres, as arms from both.
@@ -103,8 +106,9 @@ public final class ContactPositionKernel {
     float clipY = sO * lx + cO * ly;
     float height = (clipX + dx - planeX) * nx + (clipY + dy - planeY) * ny;
     float separation = height - p[po + RADIUS_A] - p[po + RADIUS_B];
-    float error = Math.max(-max, Math.min(beta * (separation + slop), 0f));
+    float error = beta * (separation + slop);
     if (error < 0f) {
+      error = error < -max ? -max : error;
       if (faceA) {
         push(
             bodies,

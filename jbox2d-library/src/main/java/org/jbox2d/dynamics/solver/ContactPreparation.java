@@ -133,14 +133,21 @@ public final class ContactPreparation {
     float iB = d[vo + INV_I_B];
     for (int j = 0; j < cc.pointCount[i]; j++) {
       int o = vo + POINT + POINT_STRIDE * j;
-      float kn = m + iA * d[o + RN_A] * d[o + RN_A] + iB * d[o + RN_B] * d[o + RN_B];
       float kt = m + iA * d[o + RT_A] * d[o + RT_A] + iB * d[o + RT_B] * d[o + RT_B];
-      d[o + NORMAL_MASS] = kn > 0f ? 1f / kn : 0f;
       d[o + TANGENT_MASS] = kt > 0f ? 1f / kt : 0f;
     }
     if (cc.pointCount[i] == 2) {
       writeBlock(cc, i, m, iA, iB);
+    } else {
+      int o = vo + POINT;
+      writeSingle(d, vo, m + iA * d[o + RN_A] * d[o + RN_A] + iB * d[o + RN_B] * d[o + RN_B]);
     }
+  }
+
+  private static void writeSingle(float[] d, int vo, float k) {
+    d[vo + M11] = k > 0f ? 1f / k : 0f;
+    d[vo + M12] = 0f;
+    d[vo + M22] = 0f;
   }
 
   private static void writeBlock(ContactConstraints cc, int i, float m, float iA, float iB) {
@@ -154,14 +161,16 @@ public final class ContactPreparation {
     float det = k11 * k22 - k12 * k12;
     if (k11 * k11 < MAX_CONDITION * det) {
       float inv = 1f / det;
-      d[vo + K11] = k11;
-      d[vo + K12] = k12;
-      d[vo + K22] = k22;
+      int ko = K_STRIDE * i;
+      cc.block[ko + K11] = k11;
+      cc.block[ko + K12] = k12;
+      cc.block[ko + K22] = k22;
       d[vo + M11] = inv * k22;
       d[vo + M12] = -inv * k12;
       d[vo + M22] = inv * k11;
     } else {
       cc.pointCount[i] = 1;
+      writeSingle(d, vo, k11);
     }
   }
 

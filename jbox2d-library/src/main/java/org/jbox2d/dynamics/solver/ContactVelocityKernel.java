@@ -13,6 +13,9 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  * Linear Complementarity Problem", 1992, section 3.1, direct enumeration):
  *
  * <pre>  w = K P + q,   w >= 0, P >= 0, w . P = 0,   q = vn - bias - K P_old</pre>
+ *
+ * Nearly always both push, where {@code P = -K^-1 q = P_old - K^-1 (vn - bias)}: K itself is not
+ * needed.
  */
 public final class ContactVelocityKernel {
   private ContactVelocityKernel() {}
@@ -63,11 +66,23 @@ public final class ContactVelocityKernel {
       int oA = SolverBodies.STRIDE * bodyA[i];
       int oB = SolverBodies.STRIDE * bodyB[i];
       if (points[i] == 2) {
-        solveTwo(d, c, v, oA, oB);
+        solveTwo(d, c, v, oA, oB, cc.block, K_STRIDE * i);
       } else {
         solveOne(d, c, v, oA, oB);
       }
     }
+  }
+
+  /**
+   * {@code x} within {@code [-limit, limit]}. By branches, which are predicted well as most points
+   * stick: {@link Math#min} and {@link Math#max} would lie on the path on which each constraint
+   * waits for the one before it.
+   */
+  private static float clamp(float x, float limit) {
+    if (x > limit) {
+      return limit;
+    }
+    return x < -limit ? -limit : x;
   }
 
   private static void solveOne(float[] d, int c, float[] v, int oA, int oB) {
@@ -91,7 +106,7 @@ public final class ContactVelocityKernel {
     float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - d[c + TANGENT_SPEED];
     float limit = d[c + FRICTION] * d[o + NORMAL_IMPULSE];
     float oldT = d[o + TANGENT_IMPULSE];
-    float newT = Math.max(-limit, Math.min(oldT - d[o + TANGENT_MASS] * vt, limit));
+    float newT = clamp(oldT - d[o + TANGENT_MASS] * vt, limit);
     d[o + TANGENT_IMPULSE] = newT;
     float jt = newT - oldT;
     vAx -= mA * jt * ny;
@@ -106,7 +121,10 @@ public final class ContactVelocityKernel {
     float rnB = d[o + RN_B];
     float vn = (vBx - vAx) * nx + (vBy - vAy) * ny + wB * rnB - wA * rnA;
     float oldN = d[o + NORMAL_IMPULSE];
-    float newN = Math.max(0f, oldN - d[o + NORMAL_MASS] * (vn - d[o + BIAS]));
+    float newN = oldN - d[c + M11] * (vn - d[o + BIAS]);
+    if (newN < 0f) {
+      newN = 0f;
+    }
     d[o + NORMAL_IMPULSE] = newN;
     float jn = newN - oldN;
     v[oA] = vAx - mA * jn * nx;
@@ -117,7 +135,8 @@ public final class ContactVelocityKernel {
     v[oB + 2] = wB + iB * jn * rnB;
   }
 
-  private static void solveTwo(float[] d, int c, float[] v, int oA, int oB) {
+  private static void solveTwo(
+      float[] d, int c, float[] v, int oA, int oB, float[] block, int ko) {
     float mA = d[c + INV_MASS_A];
     float iA = d[c + INV_I_A];
     float mB = d[c + INV_MASS_B];
@@ -143,7 +162,7 @@ public final class ContactVelocityKernel {
     float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
     float limit = friction * a1;
     float oldT = d[o1 + TANGENT_IMPULSE];
-    float newT = Math.max(-limit, Math.min(oldT - d[o1 + TANGENT_MASS] * vt, limit));
+    float newT = clamp(oldT - d[o1 + TANGENT_MASS] * vt, limit);
     d[o1 + TANGENT_IMPULSE] = newT;
     float jt = newT - oldT;
     vAx -= mA * jt * ny;
@@ -158,7 +177,7 @@ public final class ContactVelocityKernel {
     vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
     limit = friction * a2;
     oldT = d[o2 + TANGENT_IMPULSE];
-    newT = Math.max(-limit, Math.min(oldT - d[o2 + TANGENT_MASS] * vt, limit));
+    newT = clamp(oldT - d[o2 + TANGENT_MASS] * vt, limit);
     d[o2 + TANGENT_IMPULSE] = newT;
     jt = newT - oldT;
     vAx -= mA * jt * ny;
@@ -168,27 +187,28 @@ public final class ContactVelocityKernel {
     vBy -= mB * jt * nx;
     wB += iB * jt * rtB;
 
-    // Normals: q = vn - bias - K a
+    // Normals: e = vn - bias, x = a - M e if both push
     float rn1A = d[o1 + RN_A];
     float rn1B = d[o1 + RN_B];
     float rn2A = d[o2 + RN_A];
     float rn2B = d[o2 + RN_B];
-    float k12 = d[c + K12];
     float along = (vBx - vAx) * nx + (vBy - vAy) * ny;
-    float q1 = along + wB * rn1B - wA * rn1A - d[o1 + BIAS] - (d[c + K11] * a1 + k12 * a2);
-    float q2 = along + wB * rn2B - wA * rn2A - d[o2 + BIAS] - (k12 * a1 + d[c + K22] * a2);
+    float e1 = along + wB * rn1B - wA * rn1A - d[o1 + BIAS];
+    float e2 = along + wB * rn2B - wA * rn2A - d[o2 + BIAS];
+    float x1 = a1 - (d[c + M11] * e1 + d[c + M12] * e2);
+    float x2 = a2 - (d[c + M12] * e1 + d[c + M22] * e2);
 
-    // Index sets in turn: both points push, only 1, only 2, none. One of them fits, as K is
-    // positive definite; where
-    // rounding lets none fit, the impulses stay as they are.
-    float x1 = -(d[c + M11] * q1 + d[c + M12] * q2);
-    float x2 = -(d[c + M12] * q1 + d[c + M22] * q2);
+    // The other index sets in turn: only 1 pushes, only 2, none. One of them fits, as K is positive
+    // definite; where rounding lets none fit, the impulses stay as they are.
     if (!(x1 >= 0f && x2 >= 0f)) {
-      x1 = -d[o1 + NORMAL_MASS] * q1;
+      float k12 = block[ko + K12];
+      float q1 = e1 - (block[ko + K11] * a1 + k12 * a2);
+      float q2 = e2 - (k12 * a1 + block[ko + K22] * a2);
+      x1 = -q1 / block[ko + K11];
       x2 = 0f;
       if (!(x1 >= 0f && k12 * x1 + q2 >= 0f)) {
         x1 = 0f;
-        x2 = -d[o2 + NORMAL_MASS] * q2;
+        x2 = -q2 / block[ko + K22];
         if (!(x2 >= 0f && k12 * x2 + q1 >= 0f)) {
           boolean separating = q1 >= 0f && q2 >= 0f;
           x1 = separating ? 0f : a1;
