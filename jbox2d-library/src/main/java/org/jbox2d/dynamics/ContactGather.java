@@ -7,20 +7,25 @@ import org.jbox2d.collision.ManifoldPoint;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.solver.ContactConstraints;
+import org.jbox2d.dynamics.solver.SolverBodies;
 import org.jbox2d.dynamics.solver.StepConfig;
 
 /** Copies a contact into its solver records, and its impulses back. */
 final class ContactGather {
   private ContactGather() {}
 
+  /** The bodies' slots must have been written, and the bodies be in them. */
   static void writeVelocityRecord(
-      ContactConstraints cc, int i, Contact c, Body a, Body b, StepConfig step) {
+      ContactConstraints cc, int i, Contact c, SolverBodies bodies, StepConfig step) {
     float[] d = cc.vel;
+    float[] m = bodies.mass;
     int o = V_STRIDE * i;
-    d[o + INV_MASS_A] = a.m_invMass;
-    d[o + INV_I_A] = a.m_invI;
-    d[o + INV_MASS_B] = b.m_invMass;
-    d[o + INV_I_B] = b.m_invI;
+    int oA = SolverBodies.STRIDE * cc.bodyA[i];
+    int oB = SolverBodies.STRIDE * cc.bodyB[i];
+    d[o + INV_MASS_A] = m[oA];
+    d[o + INV_I_A] = m[oA + 1];
+    d[o + INV_MASS_B] = m[oB];
+    d[o + INV_I_B] = m[oB + 1];
     d[o + FRICTION] = c.m_friction;
     d[o + TANGENT_SPEED] = c.m_tangentSpeed;
     d[o + RESTITUTION] = c.m_restitution;
@@ -34,19 +39,23 @@ final class ContactGather {
     }
   }
 
-  static void writePositionRecord(ContactConstraints cc, int i, Contact c, Body a, Body b) {
+  /** As {@link #writeVelocityRecord}. */
+  static void writePositionRecord(ContactConstraints cc, int i, Contact c, SolverBodies bodies) {
     Manifold manifold = c.m_manifold;
     float[] d = cc.pos;
+    float[] m = bodies.mass;
     int o = P_STRIDE * i;
-    d[o + P_INV_MASS_A] = a.m_invMass;
-    d[o + P_INV_I_A] = a.m_invI;
-    d[o + P_INV_MASS_B] = b.m_invMass;
-    d[o + P_INV_I_B] = b.m_invI;
-    d[o + RADIUS_A] = c.m_fixtureA.m_shape.m_radius;
-    d[o + RADIUS_B] = c.m_fixtureB.m_shape.m_radius;
+    int oA = SolverBodies.STRIDE * cc.bodyA[i];
+    int oB = SolverBodies.STRIDE * cc.bodyB[i];
+    d[o + P_INV_MASS_A] = m[oA];
+    d[o + P_INV_I_A] = m[oA + 1];
+    d[o + P_INV_MASS_B] = m[oB];
+    d[o + P_INV_I_B] = m[oB + 1];
+    d[o + RADIUS_A] = c.m_radiusA;
+    d[o + RADIUS_B] = c.m_radiusB;
     cc.manifoldPoints[i] = manifold.pointCount;
-    Vec2 centreOfPlane = a.m_sweep.localCenter;
-    Vec2 centreOfPoints = b.m_sweep.localCenter;
+    int centreOfPlane = oA + 2;
+    int centreOfPoints = oB + 2;
     switch (manifold.type) {
       case CIRCLES:
         cc.kind[i] = CIRCLES;
@@ -56,18 +65,18 @@ final class ContactGather {
         break;
       default:
         cc.kind[i] = FACE_B;
-        centreOfPlane = b.m_sweep.localCenter;
-        centreOfPoints = a.m_sweep.localCenter;
+        centreOfPlane = oB + 2;
+        centreOfPoints = oA + 2;
         break;
     }
     d[o + LOCAL_NX] = manifold.localNormal.x;
     d[o + LOCAL_NY] = manifold.localNormal.y;
-    d[o + PLANE_X] = manifold.localPoint.x - centreOfPlane.x;
-    d[o + PLANE_Y] = manifold.localPoint.y - centreOfPlane.y;
+    d[o + PLANE_X] = manifold.localPoint.x - m[centreOfPlane];
+    d[o + PLANE_Y] = manifold.localPoint.y - m[centreOfPlane + 1];
     for (int j = 0; j < manifold.pointCount; j++) {
       Vec2 p = manifold.points[j].localPoint;
-      d[o + P1X + 2 * j] = p.x - centreOfPoints.x;
-      d[o + P1Y + 2 * j] = p.y - centreOfPoints.y;
+      d[o + P1X + 2 * j] = p.x - m[centreOfPoints];
+      d[o + P1Y + 2 * j] = p.y - m[centreOfPoints + 1];
     }
   }
 

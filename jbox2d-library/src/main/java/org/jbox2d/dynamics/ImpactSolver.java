@@ -93,12 +93,10 @@ final class ImpactSolver {
     }
     for (int i = 0; i < count; i++) {
       Contact c = solved[i];
-      Body bodyA = c.m_fixtureA.m_body;
-      Body bodyB = c.m_fixtureB.m_body;
-      constraints.bodyA[i] = slotOf(bodyA);
-      constraints.bodyB[i] = slotOf(bodyB);
-      ContactGather.writeVelocityRecord(constraints, i, c, bodyA, bodyB, cold);
-      ContactGather.writePositionRecord(constraints, i, c, bodyA, bodyB);
+      constraints.bodyA[i] = slotOf(c.m_fixtureA.m_body);
+      constraints.bodyB[i] = slotOf(c.m_fixtureB.m_body);
+      ContactGather.writeVelocityRecord(constraints, i, c, bodies, cold);
+      ContactGather.writePositionRecord(constraints, i, c, bodies);
     }
   }
 

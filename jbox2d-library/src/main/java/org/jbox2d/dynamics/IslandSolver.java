@@ -1,5 +1,6 @@
 package org.jbox2d.dynamics;
 
+import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.common.Settings;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.joints.Joint;
@@ -51,8 +52,10 @@ final class IslandSolver {
     solvePositions(step, profile);
     profile.solvePosition.accumElapsed();
     scatter(step);
-    report.send(
-        islands.contacts, islands.contactCount, world.m_contactManager.m_contactListener, step);
+    ContactListener listener = world.m_contactManager.m_contactListener;
+    if (listener != null || islands.materials) {
+      report.send(islands.contacts, islands.contactCount, listener, step);
+    }
     islands.release();
   }
 
@@ -145,12 +148,10 @@ final class IslandSolver {
     constraints.ensureCapacity(n);
     for (int i = 0; i < n; i++) {
       Contact c = islands.contacts[i];
-      Body a = c.m_fixtureA.m_body;
-      Body b = c.m_fixtureB.m_body;
-      constraints.bodyA[i] = slotOf(a);
-      constraints.bodyB[i] = slotOf(b);
-      ContactGather.writeVelocityRecord(constraints, i, c, a, b, step);
-      ContactGather.writePositionRecord(constraints, i, c, a, b);
+      constraints.bodyA[i] = slotOf(c.m_fixtureA.m_body);
+      constraints.bodyB[i] = slotOf(c.m_fixtureB.m_body);
+      ContactGather.writeVelocityRecord(constraints, i, c, bodies, step);
+      ContactGather.writePositionRecord(constraints, i, c, bodies);
     }
   }
 

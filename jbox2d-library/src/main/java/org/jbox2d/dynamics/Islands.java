@@ -32,6 +32,9 @@ final class Islands {
   int[] contactStart = new int[65];
   int contactCount;
 
+  /** Whether a fixture of these contacts has a material. */
+  boolean materials;
+
   /** Joints to solve, grouped like the contacts; within an island by kernel. */
   Joint[] joints = new Joint[16];
 
@@ -48,6 +51,7 @@ final class Islands {
   void build(AwakeSet awake, ContactManager manager) {
     contactCount = 0;
     jointCount = 0;
+    materials = false;
     int linkedBodies = 0;
     int linkedContacts = 0;
     int set = 0;
@@ -100,14 +104,16 @@ final class Islands {
 
   private void linkContact(Contact c) {
     int needed = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG;
-    if ((c.m_flags & needed) != needed
-        || c.m_manifold.pointCount == 0
-        || c.m_fixtureA.m_isSensor
-        || c.m_fixtureB.m_isSensor) {
+    if ((c.m_flags & needed) != needed || c.m_manifold.pointCount == 0) {
       return;
     }
-    int slot = link(c.m_fixtureA.m_body, -1);
-    slot = link(c.m_fixtureB.m_body, slot);
+    Fixture a = c.m_fixtureA;
+    Fixture b = c.m_fixtureB;
+    if (a.m_isSensor || b.m_isSensor) {
+      return;
+    }
+    int slot = link(a.m_body, -1);
+    slot = link(b.m_body, slot);
     if (slot < 0) {
       return;
     }
@@ -115,6 +121,7 @@ final class Islands {
       foundContacts = Arrays.copyOf(foundContacts, 2 * contactCount);
       foundContactSlot = Arrays.copyOf(foundContactSlot, 2 * contactCount);
     }
+    materials |= a.m_material != null || b.m_material != null;
     foundContacts[contactCount] = c;
     foundContactSlot[contactCount++] = slot;
   }

@@ -87,6 +87,12 @@ public abstract class Contact {
   /** Engine-internal: see {@link #m_proxyA}. */
   public int m_proxyB;
 
+  /** Engine-internal: radii of the shapes' skins when the manifold was made, m. */
+  public float m_radiusA;
+
+  /** Engine-internal: see {@link #m_radiusA}. */
+  public float m_radiusB;
+
   /** Engine-internal: sum of the normal impulses of the last step, N s. */
   public float m_lastImpulse;
 
@@ -331,6 +337,8 @@ public abstract class Contact {
       tangent1 = p.tangentImpulse;
     }
     evaluate(m, m_fixtureA.m_body.m_xf, m_fixtureB.m_body.m_xf);
+    m_radiusA = m_fixtureA.m_shape.m_radius;
+    m_radiusB = m_fixtureB.m_shape.m_radius;
     for (int i = 0; i < m.pointCount; i++) {
       ManifoldPoint p = m.points[i];
       int key = p.id.getKey();

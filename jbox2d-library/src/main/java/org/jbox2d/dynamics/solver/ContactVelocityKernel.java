@@ -135,8 +135,7 @@ public final class ContactVelocityKernel {
     v[oB + 2] = wB + iB * jn * rnB;
   }
 
-  private static void solveTwo(
-      float[] d, int c, float[] v, int oA, int oB, float[] block, int ko) {
+  private static void solveTwo(float[] d, int c, float[] v, int oA, int oB, float[] block, int ko) {
     float mA = d[c + INV_MASS_A];
     float iA = d[c + INV_I_A];
     float mB = d[c + INV_MASS_B];
