@@ -49,7 +49,7 @@ public final class Assembler {
     }
     for (Piece splinter : plan.splinters) {
       Body body = world.createBody(definition(old, BodyType.DYNAMIC));
-      FixtureDef def = template(plan.request.fixture);
+      FixtureDef def = brokenTemplate(plan);
       def.density *= splinter.densityFactor;
       def.material = splinterMaterial;
       body.createFixture(def, splinter);
@@ -70,7 +70,7 @@ public final class Assembler {
   private static Body makeCluster(World world, Body old, Plan plan, Cluster cluster) {
     Body body = world.createBody(definition(old, old.getType()));
     for (Piece remainder : cluster.remainders) {
-      addRemainder(body, template(plan.request.fixture), remainder);
+      addRemainder(body, brokenTemplate(plan), remainder);
     }
     for (List<Fixture> group : cluster.others) {
       copyGroup(body, group);
@@ -96,7 +96,7 @@ public final class Assembler {
    * The old body goes on as the kept cluster: what broke and what has left go, its remainders come.
    */
   private static void keep(World world, Body old, Plan plan, Cluster kept) {
-    FixtureDef def = template(plan.request.fixture);
+    FixtureDef def = brokenTemplate(plan);
     DestructionListener listener = world.getDestructionListener();
     for (Fixture f = old.getFixtureList(); f != null; ) {
       Fixture next = f.getNext();
@@ -132,6 +132,16 @@ public final class Assembler {
     def.fixedRotation = old.isFixedRotation();
     def.bullet = old.isBullet();
     def.userData = old.getUserData();
+    return def;
+  }
+
+  /**
+   * The attributes of what breaks, with the density that it would have without the factor of its
+   * last breaking.
+   */
+  private static FixtureDef brokenTemplate(Plan plan) {
+    FixtureDef def = template(plan.request.fixture);
+    def.density /= plan.breakable.densityFactor;
     return def;
   }
 

@@ -24,10 +24,15 @@ final class Breakable {
   /** Area of the body of which this is a piece of a piece; its own if it never broke. */
   final double originalArea;
 
-  private Breakable(List<Fixture> fixtures, Outline outline, double originalArea) {
+  /** What a piece's density was multiplied by when it was made; 1 for what never broke. */
+  final float densityFactor;
+
+  private Breakable(
+      List<Fixture> fixtures, Outline outline, double originalArea, float densityFactor) {
     this.fixtures = fixtures;
     this.outline = outline;
     this.originalArea = originalArea;
+    this.densityFactor = densityFactor;
   }
 
   /** Returns what breaks when a fixture is struck, or {@code null} if its shape has no area. */
@@ -39,15 +44,16 @@ final class Breakable {
       // A compound of which the user has destroyed a part no longer has that outline: its parts
       // break one by one.
       if (outline != null && parts.size() == compound.getParts().length) {
-        double original =
-            compound instanceof Piece ? ((Piece) compound).originalArea : outline.area();
-        return new Breakable(parts, outline, original);
+        Piece piece = compound instanceof Piece ? (Piece) compound : null;
+        return piece == null
+            ? new Breakable(parts, outline, outline.area(), 1f)
+            : new Breakable(parts, outline, piece.originalArea, piece.densityFactor);
       }
     }
     Outline outline = outlineOf(struck);
     return outline == null
         ? null
-        : new Breakable(Collections.singletonList(struck), outline, outline.area());
+        : new Breakable(Collections.singletonList(struck), outline, outline.area(), 1f);
   }
 
   private static Outline outlineOf(CompoundShape compound) {

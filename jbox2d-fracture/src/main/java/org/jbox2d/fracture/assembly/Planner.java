@@ -79,7 +79,7 @@ public final class Planner {
     SiteRandom random = new SiteRandom(seed);
     for (Strike strike : request.strikes) {
       Vec2[] points = request.material.focee(strike.point.clone(), strike.vector.clone(), random);
-      String defect = takeSites(points);
+      String defect = takeSites(points, strike, request);
       if (defect != null) {
         return Plan.failed(request, defect);
       }
@@ -136,7 +136,11 @@ public final class Planner {
     return outlines;
   }
 
-  private String takeSites(Vec2[] points) {
+  /**
+   * Takes the sites of a strike that lie nearest to it: where the sites of several strikes overlap
+   * they would else add up, and the pieces be finer than the material makes them.
+   */
+  private String takeSites(Vec2[] points, Strike strike, Request request) {
     if (points == null || points.length == 0) {
       return "the material gave no sites";
     }
@@ -148,11 +152,36 @@ public final class Planner {
       if (p == null || !Float.isFinite(p.x) || !Float.isFinite(p.y)) {
         return "the material gave a site that is not finite: " + p;
       }
-      sites[2 * siteCount] = p.x;
-      sites[2 * siteCount + 1] = p.y;
-      siteCount++;
+      if (isNearest(strike, p, request)) {
+        sites[2 * siteCount] = p.x;
+        sites[2 * siteCount + 1] = p.y;
+        siteCount++;
+      }
     }
     return null;
+  }
+
+  /** Whether no other strike is nearer; of equally near ones the first counts. */
+  private static boolean isNearest(Strike strike, Vec2 p, Request request) {
+    float own = distance2(strike.point, p);
+    boolean before = true;
+    for (Strike other : request.strikes) {
+      if (other == strike) {
+        before = false;
+        continue;
+      }
+      float distance = distance2(other.point, p);
+      if (distance < own || (before && distance == own)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static float distance2(Vec2 a, Vec2 b) {
+    float dx = a.x - b.x;
+    float dy = a.y - b.y;
+    return dx * dx + dy * dy;
   }
 
   private static ImpactRegion regionOf(Strike strike, Material material) {
