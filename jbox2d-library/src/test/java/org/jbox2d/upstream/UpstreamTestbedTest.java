@@ -42,9 +42,6 @@ class UpstreamTestbedTest {
   /** The draw of Math.random in it decides which bodies meet, and the smaller one is destroyed. */
   private static final String RANDOM = PACKAGE + "CollisionProcessing";
 
-  /** Past the bomb that is thrown in step 400. */
-  private static final int STEPS_WITH_INPUT = 420;
-
   @BeforeAll
   static void noDisplay() {
     System.setProperty("java.awt.headless", "true");
@@ -98,11 +95,13 @@ class UpstreamTestbedTest {
   @ParameterizedTest
   @MethodSource("tests")
   void runsWithMouseKeysAndEverythingDrawn(String name) {
-    int steps = SLOW.contains(name) ? STEPS_WHEN_SLOW : STEPS_WITH_INPUT;
-    Map<String, Double> ours = run(Engine.OURS, name, steps, true);
+    Map<String, Double> ours = run(Engine.OURS, name, STEPS, true);
     assertTrue(ours.get("drawn") > 0);
     if (!name.equals(RANDOM)) {
-      assertSameCounts(run(Engine.ORIGINAL, name, steps, true), ours);
+      boolean slow = SLOW.contains(name);
+      int steps = slow ? STEPS_WHEN_SLOW : STEPS;
+      Map<String, Double> original = run(Engine.ORIGINAL, name, steps, true);
+      assertSameCounts(original, slow ? run(Engine.OURS, name, steps, true) : ours);
     }
   }
 
