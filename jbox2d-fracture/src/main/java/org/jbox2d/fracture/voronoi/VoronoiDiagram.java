@@ -77,15 +77,18 @@ public final class VoronoiDiagram {
 
   private int edgeCount;
   private int[] edgeOfPair = new int[0];
-  private int[] edgeFrom = new int[0];
-  private int[] edgeTo = new int[0];
-  private int[] edgeLeft = new int[0];
-  private int[] edgeRight = new int[0];
 
-  private int[] cellStart = new int[1];
+  /** Vertices each edge starts from and ends in. */
+  private int[] edgeVertex = new int[0];
+
+  /** Sites left and right of each edge. */
+  private int[] edgeSite = new int[0];
+
+  private int[] cellStart = new int[0];
+  private int[] cellEnd = new int[0];
   private int[] cellVertex = new int[0];
   private int[] cellNeighbour = new int[0];
-  private int cellEnd;
+  private int cornerEnd;
   private final int[] corner = new int[4];
 
   /** Start and end parameters of the clipped edge, what {@link #clipSlab} cuts. */
@@ -116,7 +119,7 @@ public final class VoronoiDiagram {
     samePoint = SAME_POINT * Math.max(maxX - minX, maxY - minY);
     vertexCount = 0;
     edgeCount = 0;
-    cellEnd = 0;
+    cornerEnd = 0;
     Arrays.fill(corner, NONE);
     delaunay.compute(sites, n);
     ensure(n);
@@ -155,7 +158,7 @@ public final class VoronoiDiagram {
 
   /** One past the last corner of cell i; equal to the start if the cell is empty. */
   public int cellEnd(int i) {
-    return cellStart[i + 1];
+    return cellEnd[i];
   }
 
   /** Vertex of a corner. */
@@ -175,22 +178,22 @@ public final class VoronoiDiagram {
 
   /** Vertex edge e starts from. */
   public int edgeFrom(int e) {
-    return edgeFrom[e];
+    return edgeVertex[2 * e];
   }
 
   /** Vertex edge e ends in. */
   public int edgeTo(int e) {
-    return edgeTo[e];
+    return edgeVertex[2 * e + 1];
   }
 
   /** Site whose cell is left of edge e. */
   public int edgeLeft(int e) {
-    return edgeLeft[e];
+    return edgeSite[2 * e];
   }
 
   /** Site whose cell is right of edge e. */
   public int edgeRight(int e) {
-    return edgeRight[e];
+    return edgeSite[2 * e + 1];
   }
 
   /** Site i itself, or, if it repeats another, the site of lowest index in the same place. */
@@ -216,13 +219,12 @@ public final class VoronoiDiagram {
       centre = new double[2 * size];
       centreVertex = new int[size];
       edgeOfPair = new int[size / 2 + 1];
-      edgeFrom = new int[size / 2 + 1];
-      edgeTo = new int[size / 2 + 1];
-      edgeLeft = new int[size / 2 + 1];
-      edgeRight = new int[size / 2 + 1];
+      edgeVertex = new int[size + 2];
+      edgeSite = new int[size + 2];
     }
-    if (cellStart.length < n + 1) {
-      cellStart = new int[n + n / 2 + 1];
+    if (cellStart.length < n) {
+      cellStart = new int[n + n / 2];
+      cellEnd = new int[n + n / 2];
     }
     // A vertex is a circumcentre, an end of a clipped edge, or a corner of the rectangle.
     int vertices = directed + directed / 2 + 4;
@@ -435,10 +437,10 @@ public final class VoronoiDiagram {
       return;
     }
     edgeOfPair[e >> 1] = edgeCount;
-    edgeFrom[edgeCount] = from;
-    edgeTo[edgeCount] = to;
-    edgeLeft[edgeCount] = delaunay.siteOfRank(delaunay.origin(e));
-    edgeRight[edgeCount] = delaunay.siteOfRank(delaunay.destination(e));
+    edgeVertex[2 * edgeCount] = from;
+    edgeVertex[2 * edgeCount + 1] = to;
+    edgeSite[2 * edgeCount] = delaunay.siteOfRank(delaunay.origin(e));
+    edgeSite[2 * edgeCount + 1] = delaunay.siteOfRank(delaunay.destination(e));
     edgeCount++;
   }
 
@@ -511,17 +513,21 @@ public final class VoronoiDiagram {
 
   // ---- cells ----
 
+  /** In the order of ranks, in which neighbours are near each other in memory. */
   private void makeCells(int n) {
-    for (int i = 0; i < n; i++) {
-      cellStart[i] = cellEnd;
-      int rank = delaunay.rankOfSite(i);
-      if (delaunay.siteOfRank(rank) == i && edgeCount > 0) {
-        makeCell(rank, i);
-      } else if (edgeCount == 0 && i == nearestToMiddle()) {
+    Arrays.fill(cellStart, 0, n, 0);
+    Arrays.fill(cellEnd, 0, n, 0);
+    int whole = edgeCount == 0 ? nearestToMiddle() : NONE;
+    for (int rank = 0; rank < delaunay.count(); rank++) {
+      int site = delaunay.siteOfRank(rank);
+      cellStart[site] = cornerEnd;
+      if (edgeCount > 0) {
+        makeCell(rank, site);
+      } else if (site == whole) {
         addCorners(0, 4, 0);
       }
+      cellEnd[site] = cornerEnd;
     }
-    cellStart[n] = cellEnd;
   }
 
   /** The site whose cell is the whole rectangle, when no edge crosses it. */
@@ -544,7 +550,7 @@ public final class VoronoiDiagram {
 
   /** Goes around a site counter-clockwise, edge by edge, along the border where there is none. */
   private void makeCell(int rank, int site) {
-    int start = cellEnd;
+    int start = cornerEnd;
     int firstEdge = delaunay.firstEdge(rank);
     int e = firstEdge;
     int lastTo = NONE;
@@ -552,26 +558,28 @@ public final class VoronoiDiagram {
     do {
       int edge = edgeOfPair[e >> 1];
       if (edge != NONE) {
-        boolean forward = edgeLeft[edge] == site;
-        int from = forward ? edgeFrom[edge] : edgeTo[edge];
-        int neighbour = forward ? edgeRight[edge] : edgeLeft[edge];
+        // Edges were made from even Delaunay edges; from an odd one they are seen from their right
+        // side, in reverse.
+        int reverse = e & 1;
+        int from = edgeVertex[2 * edge + reverse];
+        int neighbour = edgeSite[2 * edge + 1 - reverse];
         if (lastTo != NONE && lastTo != from) {
           closeGap(lastTo, from, site, lastNeighbour);
         }
         addCorner(from, neighbour);
-        lastTo = forward ? edgeTo[edge] : edgeFrom[edge];
+        lastTo = edgeVertex[2 * edge + 1 - reverse];
         lastNeighbour = neighbour;
       }
       e = delaunay.next(e);
     } while (e != firstEdge);
-    if (cellEnd > start && lastTo != cellVertex[start]) {
+    if (cornerEnd > start && lastTo != cellVertex[start]) {
       closeGap(lastTo, cellVertex[start], site, lastNeighbour);
     }
   }
 
   private void addCorner(int v, int neighbour) {
-    cellVertex[cellEnd] = v;
-    cellNeighbour[cellEnd++] = neighbour;
+    cellVertex[cornerEnd] = v;
+    cellNeighbour[cornerEnd++] = neighbour;
   }
 
   /** Follows the border counter-clockwise from one vertex to another. */
