@@ -62,7 +62,8 @@ final class FractureFuzz {
       told = fuzz.violations.size();
     }
     System.out.printf("%s in %.0f s%n", fuzz, (System.nanoTime() - start) * 1e-9);
-    fuzz.failures.forEach((reason, where) -> System.out.println("failure " + where + ": " + reason));
+    fuzz.failures.forEach(
+        (reason, where) -> System.out.println("failure " + where + ": " + reason));
     if (!fuzz.violations.isEmpty()) {
       System.exit(1);
     }

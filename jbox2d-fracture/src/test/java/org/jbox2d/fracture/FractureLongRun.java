@@ -10,10 +10,9 @@ import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.dynamics.World;
 
 /**
- * Rain on breakable boxes for as many steps as the first argument says, 100,000 if none: prints, ten
- * times, the heap in use after a collection and the mean processor
- * time of a step. Both must stay flat. A
- * budget of debris is kept by a listener, as a game may: the oldest bodies go.
+ * Rain on breakable boxes for as many steps as the first argument says, 100,000 if none: prints,
+ * ten times, the heap in use after a collection and the mean processor time of a step. Both must
+ * stay flat. A budget of debris is kept by a listener, as a game may: the oldest bodies go.
  */
 final class FractureLongRun {
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();

@@ -162,7 +162,8 @@ final class FuzzScene {
         def.material = random.nextBoolean() ? def.material : material();
         body.createFixture(shaped(def, box(offset.x + 1.4f * size, offset.y, 0.4f, 0.6f)));
         def.material = random.nextBoolean() ? null : def.material;
-        body.createFixture(shaped(def, disc(new Vec2(offset.x, offset.y + 2.1f * size), 0.3f * size)));
+        body.createFixture(
+            shaped(def, disc(new Vec2(offset.x, offset.y + 2.1f * size), 0.3f * size)));
         break;
     }
   }
@@ -219,7 +220,8 @@ final class FuzzScene {
 
   private static Vec2 onRay(Vec2 center, double angle, float radius) {
     return new Vec2(
-        center.x + (float) (radius * Math.cos(angle)), center.y + (float) (radius * Math.sin(angle)));
+        center.x + (float) (radius * Math.cos(angle)),
+        center.y + (float) (radius * Math.sin(angle)));
   }
 
   private void join(Body a, Body b) {

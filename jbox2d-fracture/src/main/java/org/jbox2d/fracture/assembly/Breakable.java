@@ -24,7 +24,10 @@ final class Breakable {
   /** Area of the body of which this is a piece of a piece; its own if it never broke. */
   final double originalArea;
 
-  /** What a piece's density was multiplied by when it was made; 1 for what never broke. */
+  /**
+   * Area of the outline over that of the fixtures, by which a piece's density was multiplied when
+   * it was made.
+   */
   final float densityFactor;
 
   private Breakable(
@@ -46,7 +49,7 @@ final class Breakable {
       if (outline != null && parts.size() == compound.getParts().length) {
         Piece piece = compound instanceof Piece ? (Piece) compound : null;
         return piece == null
-            ? new Breakable(parts, outline, outline.area(), 1f)
+            ? new Breakable(parts, outline, outline.area(), factorOf(compound, outline))
             : new Breakable(parts, outline, piece.originalArea, piece.densityFactor);
       }
     }
@@ -54,6 +57,11 @@ final class Breakable {
     return outline == null
         ? null
         : new Breakable(Collections.singletonList(struck), outline, outline.area(), 1f);
+  }
+
+  /** The parts of a user's polygon do not fill it to the last bit either; their mass is kept. */
+  private static float factorOf(CompoundShape compound, Outline outline) {
+    return (float) (outline.area() / PartShapes.area(compound.getParts()));
   }
 
   private static Outline outlineOf(CompoundShape compound) {
