@@ -650,46 +650,6 @@ public final class VoronoiDiagram {
     return 4 - fy;
   }
 
-  // ---- validation ----
-
-  /**
-   * Checks the result: the triangulation is Delaunay, cells are convex and their areas add up to
-   * that of the rectangle, edges are shared by the cells on both sides.
-   *
-   * @return null if all is well, else what is wrong
-   */
-  public String validate() {
-    for (int e = 0; e < delaunay.edgeEnd(); e += 2) {
-      if (delaunay.isEdge(e)
-          && leftFace[e] != NONE
-          && leftFace[e + 1] != NONE
-          && delaunay.inCircleSign(e) > 0) {
-        return "edge " + e + " is not Delaunay";
-      }
-    }
-    double total = 0;
-    for (int i = 0; i < siteCount(); i++) {
-      String fault = validateCell(i);
-      if (fault != null) {
-        return fault;
-      }
-      total += cellArea(i);
-    }
-    double whole = (maxX - minX) * (maxY - minY);
-    if (siteCount() > 0 && Math.abs(total - whole) > AREA_TOLERANCE * whole) {
-      return "cells have area " + total + " in a rectangle of " + whole;
-    }
-    return null;
-  }
-
-  /** Relative error of the sum of all cell areas beyond which the diagram is not a partition. */
-  private static final double AREA_TOLERANCE = 1e-9;
-
-  /**
-   * A corner of a cell may turn clockwise by no more than this, in units of the rectangle's extent.
-   */
-  private static final double CONVEXITY_TOLERANCE = 1e-11;
-
   /** Area of cell i. */
   public double cellArea(int i) {
     int size = cellEnd(i) - cellStart(i);
@@ -701,42 +661,18 @@ public final class VoronoiDiagram {
     return Rings.signedArea(ring, 0, size);
   }
 
-  private String validateCell(int i) {
-    int start = cellStart(i);
-    int size = cellEnd(i) - start;
-    double far =
-        Math.max(
-            Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)));
-    double tolerance =
-        CONVEXITY_TOLERANCE * Math.max(maxX - minX, maxY - minY) + 16 * Math.ulp(far);
-    for (int k = 0; k < size; k++) {
-      int a = cornerVertex(start + k);
-      int b = cornerVertex(start + (k + 1) % size);
-      int c = cornerVertex(start + (k + 2) % size);
-      double ux = vertexX(b) - vertexX(a);
-      double uy = vertexY(b) - vertexY(a);
-      double wx = vertexX(c) - vertexX(a);
-      double wy = vertexY(c) - vertexY(a);
-      double width = Math.sqrt(wx * wx + wy * wy);
-      if (ux * wy - uy * wx < -tolerance * width) {
-        return "cell " + i + " is not convex at its corner " + (k + 1) % size;
-      }
-      int neighbour = cornerNeighbour(start + k);
-      if (neighbour != BORDER && !hasEdge(neighbour, b, a, i)) {
-        return "cells " + i + " and " + neighbour + " do not share an edge";
-      }
-    }
-    return null;
+  /**
+   * Checks the result: the triangulation is Delaunay, cells are convex and their areas add up to
+   * that of the rectangle, edges are shared by the cells on both sides.
+   *
+   * @return null if all is well, else what is wrong
+   */
+  public String validate() {
+    return new VoronoiCheck(this, minX, minY, maxX, maxY).validate();
   }
 
-  private boolean hasEdge(int cell, int from, int to, int neighbour) {
-    int start = cellStart(cell);
-    int size = cellEnd(cell) - start;
-    for (int k = 0; k < size; k++) {
-      if (cornerVertex(start + k) == from && cornerVertex(start + (k + 1) % size) == to) {
-        return cornerNeighbour(start + k) == neighbour;
-      }
-    }
-    return false;
+  /** Whether edge e of the triangulation has a triangle on both sides. */
+  boolean isInner(int e) {
+    return leftFace[e] != NONE && leftFace[e ^ 1] != NONE;
   }
 }
