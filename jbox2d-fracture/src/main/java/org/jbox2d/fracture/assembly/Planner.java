@@ -9,6 +9,7 @@ import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.fracture.Material;
+import org.jbox2d.fracture.Site;
 import org.jbox2d.fracture.SiteRandom;
 import org.jbox2d.fracture.fragmentation.Fragment;
 import org.jbox2d.fracture.fragmentation.Fragmentation;
@@ -50,7 +51,9 @@ public final class Planner {
   private final Fragmenter fragmenter = new Fragmenter();
   private final PartShapes partShapes = new PartShapes();
   private double[] sites = new double[0];
+  private int[] pieceOfSite = new int[0];
   private int siteCount;
+  private int pieceCount;
 
   /** Works out what a request comes to. */
   public Plan plan(Request request, long seed, float minimumArea) {
@@ -75,6 +78,7 @@ public final class Planner {
 
   private Plan breakUp(Request request, Breakable breakable, long seed) {
     siteCount = 0;
+    pieceCount = 0;
     List<ImpactRegion> regions = new ArrayList<>();
     SiteRandom random = new SiteRandom(seed);
     for (Strike strike : request.strikes) {
@@ -86,7 +90,7 @@ public final class Planner {
       regions.add(regionOf(strike, request.material));
     }
     Fragmentation result =
-        fragmenter.fragment(breakable.outline, sites, siteCount, regions, limits());
+        fragmenter.fragment(breakable.outline, sites, pieceOfSite, siteCount, regions, limits());
     if (result.status() == FragmentationStatus.NOTHING_BREAKS) {
       return Plan.without(request, Plan.Outcome.HOLDS);
     }
@@ -147,7 +151,10 @@ public final class Planner {
     int needed = 2 * (siteCount + points.length);
     if (sites.length < needed) {
       sites = Arrays.copyOf(sites, needed);
+      pieceOfSite = Arrays.copyOf(pieceOfSite, needed / 2);
     }
+    // Each strike has pieces of its own, whatever numbers the others have.
+    int first = pieceCount;
     for (Vec2 p : points) {
       if (p == null || !Float.isFinite(p.x) || !Float.isFinite(p.y)) {
         return "the material gave a site that is not finite: " + p;
@@ -155,6 +162,7 @@ public final class Planner {
       if (isNearest(strike, p, request)) {
         sites[2 * siteCount] = p.x;
         sites[2 * siteCount + 1] = p.y;
+        pieceOfSite[siteCount] = numberOf(p, first);
         siteCount++;
       }
     }
@@ -182,6 +190,15 @@ public final class Planner {
     float dx = a.x - b.x;
     float dy = a.y - b.y;
     return dx * dx + dy * dy;
+  }
+
+  private int numberOf(Vec2 site, int first) {
+    if (!(site instanceof Site)) {
+      return -1;
+    }
+    int number = first + ((Site) site).piece();
+    pieceCount = Math.max(pieceCount, number + 1);
+    return number;
   }
 
   private static ImpactRegion regionOf(Strike strike, Material material) {

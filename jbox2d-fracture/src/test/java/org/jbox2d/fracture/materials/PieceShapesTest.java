@@ -14,7 +14,16 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.Fixture;
+import org.jbox2d.dynamics.FixtureDef;
+import org.jbox2d.dynamics.World;
+import org.jbox2d.fracture.FractureSystem;
 import org.jbox2d.fracture.Material;
 import org.jbox2d.fracture.Site;
 import org.jbox2d.fracture.SiteRandom;
@@ -350,5 +359,30 @@ class PieceShapesTest {
                     4,
                     Collections.emptyList(),
                     PieceLimits.NONE));
+  }
+
+  /** Of a wall in a world, whole bricks break out. */
+  @Test
+  void bricksBreakOutWhole() {
+    World world = new World(new Vec2());
+    BodyDef def = new BodyDef();
+    def.type = BodyType.STATIC;
+    PolygonShape box = new PolygonShape();
+    box.setAsBox(4f, 4f);
+    FixtureDef wall = new FixtureDef();
+    wall.shape = box;
+    wall.material = new Bricks();
+    Body body = world.createBody(def);
+    Fixture fixture = body.createFixture(wall);
+    List<Body> pieces =
+        FractureSystem.of(world).strike(fixture, new Vec2(0.3f, 0.2f), new Vec2(1000f, 0f));
+    int whole = 0;
+    for (Body piece : pieces.subList(1, pieces.size())) {
+      MassData data = new MassData();
+      piece.getFixtureList().getShape().computeMass(data, 1f);
+      whole += Math.abs(data.mass - 0.5f) < 1e-3f ? 1 : 0;
+    }
+    assertTrue(whole > 10, whole + " whole bricks of " + pieces.size());
+    assertEquals(pieces.size() - 1, whole, "all that breaks away within the wall");
   }
 }
