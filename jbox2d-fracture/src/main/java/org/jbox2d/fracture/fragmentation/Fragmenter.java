@@ -147,7 +147,7 @@ public final class Fragmenter {
 
   /** Checks the outline and puts it into the noder; null if all is well. */
   private Fragmentation begin(Outline body) {
-    OutlineCheck check = OutlineCheck.of(body);
+    OutlineCheck check = OutlineCheck.ofTouching(body);
     if (check.defect() != OutlineDefect.NONE) {
       return Fragmentation.failure(FragmentationStatus.INVALID_OUTLINE, check.message());
     }
