@@ -169,7 +169,7 @@ class ConservationTest {
         .setListener(
             (m, intensity, pieces) -> deepest[0] = Math.max(deepest[0], Overlap.deepest(pieces)));
     Range.step(world, 60f, 1f);
-    // Each piece merges vertices nearer than 0.6 slops on its own, so a corner may stick out by
+    // Each piece merges vertices nearer than half a slop on its own, so a corner may stick out by
     // less than that; the skins of two
     // pieces together are a slop, and a slop is what a resting contact keeps.
     assertTrue(deepest[0] < 0.6 * Settings.linearSlop, "cores overlap by " + deepest[0] + " m");

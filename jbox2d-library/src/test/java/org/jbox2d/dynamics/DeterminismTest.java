@@ -26,6 +26,19 @@ class DeterminismTest {
   /** Few enough for the interpreter. */
   private static final int STEPS_INTERPRETED = 90;
 
+  /**
+   * The hashes of the scenes after {@link #STEPS_INTERPRETED} steps, on every machine. A change of
+   * the engine that is meant to change them puts the new ones here and says why in CHANGELOG.md.
+   */
+  private static final long[] GOLDEN = {
+    596217629234130335L, 484583861967443505L, -5216261905586730005L, 839856658340105978L
+  };
+
+  @Test
+  void goldenHashes() {
+    assertArrayEquals(GOLDEN, DeterminismScenes.hashes(STEPS_INTERPRETED, null));
+  }
+
   @Test
   void againWithAnotherWorldBetween() {
     long[] first = DeterminismScenes.hashes(STEPS, null);

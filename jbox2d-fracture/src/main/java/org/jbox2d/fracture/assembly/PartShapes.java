@@ -16,7 +16,7 @@ public final class PartShapes {
    * than half a slop; a little above that, so that rounding to floats does not bring vertices under
    * it.
    */
-  private static final double RESOLUTION_IN_SLOPS = 0.6;
+  private static final double RESOLUTION_IN_SLOPS = 0.501;
 
   private final ConvexDecomposition decomposition = new ConvexDecomposition();
 

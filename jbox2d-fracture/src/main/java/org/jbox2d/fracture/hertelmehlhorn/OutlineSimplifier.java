@@ -18,9 +18,10 @@ import org.jbox2d.fracture.geometry.OutlineDefect;
 final class OutlineSimplifier {
   /**
    * A vertex moves by no more than this many resolutions to keep the area. The resolution is half
-   * the engine's slop, so bodies overlap by no more than the engine leaves between them anyway.
+   * the engine's slop, and the neighbour's vertex may move the other way, so bodies overlap by no
+   * more than the engine leaves between them anyway.
    */
-  private static final double FARTHEST = 2;
+  private static final double FARTHEST = 1;
 
   private double[] ring = new double[64];
   private int size;
