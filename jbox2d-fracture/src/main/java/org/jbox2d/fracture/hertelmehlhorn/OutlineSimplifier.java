@@ -21,7 +21,7 @@ final class OutlineSimplifier {
    * the engine's slop, and the neighbour's vertex may move the other way, so bodies overlap by no
    * more than the engine leaves between them anyway.
    */
-  private static final double FARTHEST = 1;
+  private static final double FARTHEST = 1.5;
 
   private double[] ring = new double[64];
   private int size;
