@@ -1,0 +1,85 @@
+package org.jbox2d.benchmarks.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.knowm.xchart.VectorGraphicsEncoder;
+import org.knowm.xchart.VectorGraphicsEncoder.VectorGraphicsFormat;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** A chart of lines with markers over a logarithmic axis. Ours is blue, a peer's orange. */
+final class Drawing {
+  static final Color OURS = new Color(0x1F5FA8);
+  static final Color PEER = new Color(0xD9661F);
+  static final Color THIRD = new Color(0x3B8F4A);
+
+  private static final int WIDTH = 800;
+  private static final int HEIGHT = 520;
+  private static final float LINE = 2;
+  private static final int MARKER = 8;
+  private static final String WHOLE = "#,##0";
+  private static final Color GRID = new Color(0xE4E4E4);
+
+  private final XYChart chart;
+
+  Drawing(String title, String xTitle, String yTitle) {
+    chart =
+        new XYChartBuilder()
+            .width(WIDTH)
+            .height(HEIGHT)
+            .title(title)
+            .xAxisTitle(xTitle)
+            .yAxisTitle(yTitle)
+            .build();
+    chart
+        .getStyler()
+        .setXAxisLogarithmic(true)
+        .setXAxisDecimalPattern(WHOLE)
+        .setPlotGridLinesColor(GRID)
+        .setPlotGridLinesStroke(new BasicStroke(1))
+        .setLegendPosition(LegendPosition.InsideNW)
+        .setChartBackgroundColor(Color.WHITE)
+        .setPlotBorderVisible(false)
+        .setMarkerSize(MARKER);
+  }
+
+  /** Makes the vertical axis logarithmic too. */
+  Drawing logLog() {
+    chart.getStyler().setYAxisLogarithmic(true).setYAxisDecimalPattern(WHOLE);
+    return this;
+  }
+
+  /** Sets the ends of the horizontal axis. */
+  Drawing between(double low, double high) {
+    chart.getStyler().setXAxisMin(low).setXAxisMax(high);
+    return this;
+  }
+
+  /** Sets where the legend is. */
+  Drawing legend(LegendPosition position) {
+    chart.getStyler().setLegendPosition(position);
+    return this;
+  }
+
+  /** Adds a line; a dashed one has square markers. */
+  void line(String name, double[] x, double[] y, Color colour, boolean dashed) {
+    XYSeries series = chart.addSeries(name, x, y);
+    series.setLineColor(colour);
+    series.setMarkerColor(colour);
+    series.setMarker(dashed ? SeriesMarkers.SQUARE : SeriesMarkers.CIRCLE);
+    series.setLineStyle(
+        dashed
+            ? new BasicStroke(
+                LINE, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {6, 4}, 0)
+            : new BasicStroke(LINE));
+  }
+
+  void write(Path file) throws IOException {
+    VectorGraphicsEncoder.saveVectorGraphic(chart, file.toString(), VectorGraphicsFormat.SVG);
+  }
+}
