@@ -7,6 +7,8 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.fracture.assembly.Piece;
+import org.jbox2d.fracture.assembly.Plan;
+import org.jbox2d.fracture.fragmentation.ImpactRegion;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.impact.Request;
 
@@ -15,15 +17,20 @@ import org.jbox2d.fracture.impact.Request;
  * coordinates are the same.
  */
 public final class FractureEvent {
+  /** Vertices of a region's outline. */
+  private static final int REGION_VERTICES = 48;
+
   private final FractureCause cause;
   private final Request request;
+  private final Plan plan;
   private final List<Body> remainders;
   private final List<Body> splinters;
 
-  FractureEvent(FractureCause cause, Request request, List<Body> bodies, int splinterCount) {
+  FractureEvent(FractureCause cause, Plan plan, List<Body> bodies) {
     this.cause = cause;
-    this.request = request;
-    int stay = bodies.size() - splinterCount;
+    this.plan = plan;
+    request = plan.request;
+    int stay = bodies.size() - plan.splinterCount();
     remainders = Collections.unmodifiableList(new ArrayList<>(bodies.subList(0, stay)));
     splinters = Collections.unmodifiableList(new ArrayList<>(bodies.subList(stay, bodies.size())));
   }
@@ -56,6 +63,35 @@ public final class FractureEvent {
     return request.hardest().point.clone();
   }
 
+  /**
+   * Returns the sites whose Voronoi cells it broke along, in the frame of the body, m, as new
+   * vectors; none for a cut, or where a body came loose as a whole.
+   */
+  public List<Vec2> sites() {
+    List<Vec2> sites = new ArrayList<>(plan.sites.length / 2);
+    for (int i = 0; i < plan.sites.length; i += 2) {
+      sites.add(new Vec2((float) plan.sites[i], (float) plan.sites[i + 1]));
+    }
+    return sites;
+  }
+
+  /**
+   * Returns the outlines of the regions in which cells broke away, one for each blow, in the frame
+   * of the body, m, as new vectors; none where there are no {@link #sites()}.
+   */
+  public List<Vec2[]> regions() {
+    List<Vec2[]> outlines = new ArrayList<>(plan.regions.size());
+    for (ImpactRegion region : plan.regions) {
+      double[] xy = region.boundary(REGION_VERTICES);
+      Vec2[] outline = new Vec2[REGION_VERTICES];
+      for (int i = 0; i < REGION_VERTICES; i++) {
+        outline[i] = new Vec2((float) xy[2 * i], (float) xy[2 * i + 1]);
+      }
+      outlines.add(outline);
+    }
+    return outlines;
+  }
+
   /** Returns the bodies of what stayed. */
   public List<Body> remainders() {
     return remainders;
@@ -68,7 +104,7 @@ public final class FractureEvent {
 
   /**
    * Returns the outlines of the pieces of a body, in the frame of the old body, which is its own
-   * too: for each piece its outer ring, counter- clockwise, then its holes, clockwise. With it a
+   * too: for each piece its outer ring, counter-clockwise, then its holes, clockwise. With it a
    * game can map the texture of the old body onto the pieces. Empty for fixtures that have never
    * broken.
    */

@@ -198,7 +198,7 @@ public final class FractureSystem {
           new FractureFailure(plan.reason, r.body, r.material, s.point, s.vector, seed));
     } else if (plan.yields()) {
       listener.action(r.material, r.intensity, bodies);
-      listener.fractured(new FractureEvent(cause, r, bodies, plan.splinterCount()));
+      listener.fractured(new FractureEvent(cause, plan, bodies));
     }
   }
 

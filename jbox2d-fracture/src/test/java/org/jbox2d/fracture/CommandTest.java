@@ -260,6 +260,52 @@ class CommandTest {
     assertSame(dust, events.get(0).splinters().get(0).getFixtureList().m_material);
   }
 
+  /** A box struck on its left side, 2 m off the axis, by a blow straight to the right. */
+  @Test
+  void eventTellsSitesAndRegionOfEffect() {
+    Body box = box(50f);
+    Material material = (Material) box.getFixtureList().m_material;
+    List<FractureEvent> events = new ArrayList<>();
+    system.setListener(collect(events));
+    system.strike(box.getFixtureList(), new Vec2(-5, 2), new Vec2(300, 0));
+    FractureEvent e = events.get(0);
+    assertTrue(e.sites().size() > 3, "sites " + e.sites().size());
+    assertEquals(1, e.regions().size());
+    // A commanded strike reaches as far ahead as behind: the region is a disc about the point.
+    for (Vec2 v : e.regions().get(0)) {
+      assertEquals(material.m_radius, v.sub(e.point()).length(), 1e-4f);
+    }
+  }
+
+  /** Ahead it reaches as far as the disc goes in two steps, here farther than the radius of 2 m. */
+  @Test
+  void regionOfEffectReachesAheadOfAFastDisc() {
+    box(40f);
+    Range.disc(world, -7f, 0f, 1f, 5f, 120f, 0f);
+    List<FractureEvent> events = new ArrayList<>();
+    system.setListener(collect(events));
+    Range.step(world, 60f, 0.1f);
+    FractureEvent e = events.get(0);
+    float ahead = 0f;
+    float behind = 0f;
+    for (Vec2 v : e.regions().get(0)) {
+      ahead = Math.max(ahead, v.x - e.point().x);
+      behind = Math.max(behind, e.point().x - v.x);
+    }
+    assertEquals(2f * 120f / 60f, ahead, 0.05f);
+    assertEquals(2f, behind, 0.01f);
+  }
+
+  @Test
+  void cutHasNeitherSitesNorRegion() {
+    Body box = box(50f);
+    List<FractureEvent> events = new ArrayList<>();
+    system.setListener(collect(events));
+    system.cut(box, new Vec2(-20, 0), new Vec2(20, 1));
+    assertEquals(List.of(), events.get(0).sites());
+    assertEquals(List.of(), events.get(0).regions());
+  }
+
   @Test
   void eventTellsOutlinesInTheOldFrame() {
     Body box = box(50f);

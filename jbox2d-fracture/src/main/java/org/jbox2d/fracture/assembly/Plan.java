@@ -3,6 +3,7 @@ package org.jbox2d.fracture.assembly;
 import java.util.Collections;
 import java.util.List;
 import org.jbox2d.dynamics.CompoundShape;
+import org.jbox2d.fracture.fragmentation.ImpactRegion;
 import org.jbox2d.fracture.impact.Request;
 
 /** What a fracture will do, worked out before anything is changed. */
@@ -25,6 +26,12 @@ public final class Plan {
   /** Why it failed; empty otherwise. */
   public final String reason;
 
+  /** Sites of the cells it breaks along, interleaved, in the body's frame; none for a cut. */
+  public final double[] sites;
+
+  /** Where it breaks, one region for each blow; none for a cut. */
+  public final List<ImpactRegion> regions;
+
   final Breakable breakable;
   final List<Piece> remainders;
   final List<Piece> splinters;
@@ -35,27 +42,50 @@ public final class Plan {
       String reason,
       Breakable breakable,
       List<Piece> remainders,
-      List<Piece> splinters) {
+      List<Piece> splinters,
+      double[] sites,
+      List<ImpactRegion> regions) {
     this.request = request;
     this.outcome = outcome;
     this.reason = reason;
     this.breakable = breakable;
     this.remainders = remainders;
     this.splinters = splinters;
+    this.sites = sites;
+    this.regions = regions;
   }
 
   static Plan without(Request request, Outcome outcome) {
-    return new Plan(request, outcome, "", null, Collections.emptyList(), Collections.emptyList());
+    return empty(request, outcome, "");
   }
 
   static Plan failed(Request request, String reason) {
+    return empty(request, Outcome.FAILS, reason);
+  }
+
+  private static Plan empty(Request request, Outcome outcome, String reason) {
+    List<Piece> none = Collections.emptyList();
     return new Plan(
-        request, Outcome.FAILS, reason, null, Collections.emptyList(), Collections.emptyList());
+        request, outcome, reason, null, none, none, new double[0], Collections.emptyList());
   }
 
   static Plan breaks(
       Request request, Breakable breakable, List<Piece> remainders, List<Piece> splinters) {
-    return new Plan(request, Outcome.BREAKS, "", breakable, remainders, splinters);
+    return new Plan(
+        request,
+        Outcome.BREAKS,
+        "",
+        breakable,
+        remainders,
+        splinters,
+        new double[0],
+        Collections.emptyList());
+  }
+
+  /** This plan with what its pieces were made by. */
+  Plan madeBy(double[] usedSites, List<ImpactRegion> usedRegions) {
+    return new Plan(
+        request, outcome, reason, breakable, remainders, splinters, usedSites, usedRegions);
   }
 
   /** Returns how many splinters there are; their bodies come last in the list of bodies made. */

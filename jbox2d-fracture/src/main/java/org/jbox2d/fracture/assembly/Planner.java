@@ -79,7 +79,7 @@ public final class Planner {
   private Plan breakUp(Request request, Breakable breakable, long seed) {
     siteCount = 0;
     pieceCount = 0;
-    List<ImpactRegion> regions = new ArrayList<>();
+    List<ImpactRegion> regions = new ArrayList<>(request.strikes.size());
     SiteRandom random = new SiteRandom(seed);
     for (Strike strike : request.strikes) {
       Vec2[] points = request.material.focee(strike.point.clone(), strike.vector.clone(), random);
@@ -97,7 +97,8 @@ public final class Planner {
     if (result.status().isFailure()) {
       return Plan.failed(request, result.status() + " " + result.reason());
     }
-    return shape(request, breakable, result.remainders(), outlinesOf(result.fragments()));
+    return shape(request, breakable, result.remainders(), outlinesOf(result.fragments()))
+        .madeBy(Arrays.copyOf(sites, 2 * siteCount), regions);
   }
 
   /**

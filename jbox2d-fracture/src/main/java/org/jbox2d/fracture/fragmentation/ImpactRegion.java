@@ -106,6 +106,20 @@ public final class ImpactRegion implements RegionOfEffect {
     return Math.sqrt(a * a + b * b);
   }
 
+  /** Points on the curve, interleaved, counter-clockwise; equally spaced where it is a circle. */
+  public double[] boundary(int points) {
+    double[] xy = new double[2 * points];
+    for (int i = 0; i < points; i++) {
+      double angle = 2 * Math.PI * i / points;
+      double across = radius * StrictMath.cos(angle);
+      double sine = StrictMath.sin(angle);
+      double along = sine * (sine > 0 ? depth : radius);
+      xy[2 * i] = contactX + along * directionX + across * directionY;
+      xy[2 * i + 1] = contactY + along * directionY - across * directionX;
+    }
+    return xy;
+  }
+
   @Override
   public double overlap(double[] xy, int start, int end) {
     double sum = 0;
