@@ -10,17 +10,20 @@ import java.util.jar.JarInputStream;
 
 /**
  * Loads JBox2D 2.2.1.1, whose classes have the names of ours, from a jar packed as a resource, and
- * the scenes a second time, so that they link against it. Everything else comes from the parent.
+ * what calls the engine a second time, so that it links against it. Everything else comes from the
+ * parent.
  */
-final class OriginalLoader extends ClassLoader {
+public final class OriginalLoader extends ClassLoader {
   private static final String JAR = "jbox2d-2.2.1.1.jar";
   private static final String ENGINE = "org.jbox2d.";
   private static final String SHARED = "org.jbox2d.benchmarks.";
   private static final String SCENES = "org.jbox2d.benchmarks.scenes.";
+  private static final String ADAPTER = "org.jbox2d.benchmarks.accuracy.box2d.";
 
   private final Map<String, byte[]> engineClasses = new HashMap<>();
 
-  OriginalLoader(ClassLoader parent) {
+  /** Reads the packed engine. */
+  public OriginalLoader(ClassLoader parent) {
     super(parent);
     try (InputStream in = OriginalLoader.class.getResourceAsStream(JAR)) {
       if (in == null) {
@@ -39,7 +42,7 @@ final class OriginalLoader extends ClassLoader {
 
   @Override
   protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-    boolean own = name.startsWith(SCENES) || (name.startsWith(ENGINE) && !name.startsWith(SHARED));
+    boolean own = isUser(name) || (name.startsWith(ENGINE) && !name.startsWith(SHARED));
     if (!own) {
       return super.loadClass(name, resolve);
     }
@@ -49,10 +52,15 @@ final class OriginalLoader extends ClassLoader {
     }
   }
 
+  /** Whether the class is this module's and calls the engine. */
+  private static boolean isUser(String name) {
+    return name.startsWith(SCENES) || name.startsWith(ADAPTER);
+  }
+
   @Override
   protected Class<?> findClass(String name) throws ClassNotFoundException {
     String path = name.replace('.', '/') + ".class";
-    byte[] code = name.startsWith(SCENES) ? readFromParent(path) : engineClasses.get(path);
+    byte[] code = isUser(name) ? readFromParent(path) : engineClasses.get(path);
     if (code == null) {
       throw new ClassNotFoundException(name);
     }

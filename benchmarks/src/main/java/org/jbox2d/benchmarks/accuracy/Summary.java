@@ -1,0 +1,38 @@
+package org.jbox2d.benchmarks.accuracy;
+
+import java.util.List;
+import org.jbox2d.benchmarks.accuracy.engines.Contender;
+
+/**
+ * A solver at a setting over all scenes.
+ *
+ * @param solver the solver
+ * @param setting its setting
+ * @param scenes number of scenes
+ * @param failed number of scenes with an error above the limit
+ * @param error geometric mean of the errors
+ * @param cost geometric mean of the costs, ms of thread time a simulated second
+ */
+record Summary(
+    Contender solver, Setting setting, int scenes, int failed, double error, double cost) {
+  /** Sums up results of one solver and setting. */
+  static Summary of(List<Result> results) {
+    double error = 0;
+    double cost = 0;
+    int failed = 0;
+    for (Result r : results) {
+      error += StrictMath.log(r.error());
+      cost += StrictMath.log(r.cost());
+      failed += r.failed() ? 1 : 0;
+    }
+    int n = results.size();
+    Result any = results.get(0);
+    return new Summary(
+        any.solver(),
+        any.setting(),
+        n,
+        failed,
+        StrictMath.exp(error / n),
+        StrictMath.exp(cost / n));
+  }
+}
