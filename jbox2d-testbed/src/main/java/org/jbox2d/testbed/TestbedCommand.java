@@ -5,11 +5,20 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.Callable;
 import org.jbox2d.testbed.headless.HeadlessRunner;
 import org.jbox2d.testbed.headless.RunRequest;
+import org.jbox2d.testbed.parameters.Parameter;
+import org.jbox2d.testbed.parameters.Values;
+import org.jbox2d.testbed.recording.Divergence;
+import org.jbox2d.testbed.recording.RecordingException;
 import org.jbox2d.testbed.scenes.Scene;
 import org.jbox2d.testbed.scenes.Scenes;
+import org.jbox2d.testbed.simulation.Setup;
+import org.jbox2d.testbed.simulation.Simulation;
+import org.jbox2d.testbed.simulation.SolverChoice;
 import org.jbox2d.testbed.ui.TestbedWindow;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -26,13 +35,19 @@ import picocli.CommandLine.Spec;
     description = {
       "Shows bodies that break, in a window or without one.",
       "Without a display, or with an option that needs no window (--headless, --steps, --png,"
-          + " --csv, --gif, --hash, --profile), runs a scene and reports."
+          + " --csv, --gif, --hash, --profile, --record, --replay), runs a scene and reports."
     },
     exitCodeListHeading = "Exit codes:%n",
-    exitCodeList = {"0:done", "1:a file could not be written", "2:the command line is wrong"})
+    exitCodeList = {
+      "0:done",
+      "1:a file could not be read or written",
+      "2:the command line is wrong",
+      "3:a replay went another way than its recording"
+    })
 final class TestbedCommand implements Callable<Integer> {
   private static final int DEFAULT_STEPS = 600;
   private static final int MAX_STEPS = 100_000_000;
+  private static final int DIVERGED = 3;
   private static final Path DEFAULT_PNG = Path.of("jbox2d-testbed.png");
 
   @Spec private CommandSpec spec;
@@ -58,8 +73,37 @@ final class TestbedCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "Seed of the fractures; ${DEFAULT-VALUE} if not given.")
-  private long seed = 1;
+      description = "Seed of the fractures; 1 if not given.")
+  private Long seed;
+
+  @Option(
+      names = "--solver",
+      paramLabel = "NAME",
+      description = "How contacts and joints are solved; the same as --set solver=NAME.")
+  private String solver;
+
+  @Option(
+      names = "--set",
+      paramLabel = "NAME=VALUE",
+      description = "Set a parameter of scene, material, solver or tools; --parameters lists them.")
+  private List<String> settings = new ArrayList<>();
+
+  @Option(
+      names = "--parameters",
+      description = "Print the parameters of the scene: range, unit, default, meaning.")
+  private boolean parameters;
+
+  @Option(
+      names = "--record",
+      paramLabel = "FILE",
+      description = "Write what is needed to repeat the run, and hashes to check it by.")
+  private Path record;
+
+  @Option(
+      names = "--replay",
+      paramLabel = "FILE",
+      description = "Repeat a recording and compare each step; the first that differs is told.")
+  private Path replay;
 
   @Option(names = "--png", paramLabel = "FILE", description = "Write a picture of the end.")
   private Path png;
@@ -99,16 +143,22 @@ final class TestbedCommand implements Callable<Integer> {
       printScenes(out);
       return CommandLine.ExitCode.OK;
     }
-    Scene scene = scene();
-    boolean noDisplay = GraphicsEnvironment.isHeadless();
-    if (!noDisplay && !needsNoWindow()) {
-      TestbedWindow.open(scene, hz(scene), seed);
+    if (replay != null) {
+      return replay(out);
+    }
+    Setup setup = setup();
+    if (parameters) {
+      ParameterTable.print(setup, out);
       return CommandLine.ExitCode.OK;
     }
     boolean asked = needsNoWindow();
-    RunRequest request = request(scene, asked ? png : DEFAULT_PNG);
+    if (!GraphicsEnvironment.isHeadless() && !asked) {
+      TestbedWindow.open(setup);
+      return CommandLine.ExitCode.OK;
+    }
+    RunRequest request = request(setup, asked ? png : DEFAULT_PNG);
     if (!asked) {
-      out.println("No display: running scene '" + scene.name() + "' without a window.");
+      out.println("No display: running scene '" + setup.scene().name() + "' without a window.");
       out.flush();
     }
     return runHeadless(request, out);
@@ -119,17 +169,33 @@ final class TestbedCommand implements Callable<Integer> {
         || hash
         || profile
         || steps != null
+        || record != null
         || png != null
         || csv != null
         || gif != null;
   }
 
-  private RunRequest request(Scene scene, Path picture) {
+  private int replay(PrintWriter out) {
+    if (sceneName != null || hz != null || seed != null || steps != null || solver != null) {
+      throw wrong(
+          "--replay takes scene, rate, seed, solver and steps from the recording; leave --scene,"
+              + " --hz, --seed, --solver and --steps out");
+    }
+    if (!settings.isEmpty()) {
+      throw wrong("--replay takes all parameters from the recording; leave --set out");
+    }
+    if (!Files.isRegularFile(replay)) {
+      throw wrong("--replay must be a file that --record has written, is " + replay);
+    }
+    return runHeadless(request(null, png), out);
+  }
+
+  private RunRequest request(Setup setup, Path picture) {
     return new RunRequest(
-        scene,
+        setup,
         steps(),
-        hz(scene),
-        seed,
+        replay,
+        writable("--record", record),
         writable("--png", picture),
         writable("--csv", csv),
         writable("--gif", gif),
@@ -139,13 +205,45 @@ final class TestbedCommand implements Callable<Integer> {
 
   private int runHeadless(RunRequest request, PrintWriter out) {
     System.setProperty("java.awt.headless", "true");
+    PrintWriter err = spec.commandLine().getErr();
     try {
-      HeadlessRunner.run(request, out);
+      Divergence divergence = HeadlessRunner.run(request, out, err);
+      if (divergence != null) {
+        err.println(request.replay() + ": " + divergence);
+        return DIVERGED;
+      }
       return CommandLine.ExitCode.OK;
+    } catch (RecordingException e) {
+      err.println("could not read: " + e.getMessage());
+      return CommandLine.ExitCode.SOFTWARE;
     } catch (IOException e) {
-      spec.commandLine().getErr().println("could not write: " + e.getMessage());
+      err.println("could not read or write: " + e.getMessage());
       return CommandLine.ExitCode.SOFTWARE;
     }
+  }
+
+  /** What the command line asks for, checked by building it. */
+  private Setup setup() {
+    Scene scene = scene();
+    Setup setup = new Setup(scene, hz(scene), seed == null ? 1 : seed, Values.NONE);
+    List<String> all = new ArrayList<>(settings);
+    if (solver != null) {
+      all.add(SolverChoice.PARAMETER.name() + "=" + solver);
+    }
+    Simulation built = new Simulation(setup);
+    for (String setting : all) {
+      int equals = setting.indexOf('=');
+      if (equals < 1) {
+        throw wrong("--set must be NAME=VALUE such as rigidity=20, is " + setting);
+      }
+      try {
+        Parameter parameter = built.parameter(setting.substring(0, equals));
+        setup = setup.with(parameter.name(), parameter.parse(setting.substring(equals + 1)));
+      } catch (IllegalArgumentException e) {
+        throw wrong(e.getMessage());
+      }
+    }
+    return setup;
   }
 
   private Scene scene() {

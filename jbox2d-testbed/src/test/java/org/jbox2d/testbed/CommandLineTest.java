@@ -2,6 +2,7 @@ package org.jbox2d.testbed;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -60,6 +61,17 @@ class CommandLineTest {
         "--headless --hz NaN | --hz must be a positive number such as 60, is NaN",
         "--headless --png no-such-directory/a.png | --png must be in a directory that exists",
         "--headless --fast | Unknown option: '--fast'",
+        "--headless --set rigidity | --set must be NAME=VALUE such as rigidity=20, is rigidity",
+        "--headless --set hardness=1 | unknown parameter 'hardness'; main has: material, rigidity",
+        "--headless --set rigidity=-1 | rigidity must be 0 to 500 N s, is -1",
+        "--headless --set rigidity=NaN | rigidity must be 0 to 500 N s, is NaN",
+        "--headless --set rigidity=soft | rigidity must be 0 to 500 N s, is 'soft'",
+        "--headless --set body-limit=2.5 | body-limit must be a whole number from 0 to 100000",
+        "--headless --set sleeping=no | sleeping must be off | on, is 'no'",
+        "--headless --solver best | solver must be sequential-impulses",
+        "--replay nowhere.rec | --replay must be a file that --record has written",
+        "--replay nowhere.rec --scene main | leave --scene, --hz, --seed, --solver and --steps out",
+        "--replay nowhere.rec --set rigidity=1 | leave --set out",
       })
   void mistakesGiveOneLineAndCode2(String args, String message) {
     assertEquals(2, run(args.split(" ")));
@@ -139,5 +151,66 @@ class CommandLineTest {
     assertTrue(summary.startsWith("main: 1 steps at 50.0 Hz, seed 1: 5 bodies"), summary);
     assertTrue(summary.contains("breakable mass 100.000 kg -> 100.000 kg"), summary);
     assertTrue(summary.contains("solveVelocity"), summary);
+  }
+
+  private String hashOf(String... args) {
+    out.getBuffer().setLength(0);
+    assertEquals(0, run(args));
+    return out.toString();
+  }
+
+  @Test
+  void parametersChangeTheRun() {
+    String plain = hashOf("--steps", "60", "--hash");
+    assertEquals(plain, hashOf("--steps", "60", "--hash", "--set", "rigidity=40"));
+    for (String setting :
+        List.of("rigidity=20", "material=glass", "velocity-iterations=3", "gravity-y=-5")) {
+      assertNotEquals(plain, hashOf("--steps", "60", "--hash", "--set", setting), setting);
+    }
+  }
+
+  @Test
+  void parametersAreListedWithRangeAndUnit() {
+    assertEquals(0, run("--scene", "main", "--parameters", "--set", "rigidity=20"));
+    String row = out.toString().lines().filter(l -> l.contains("rigidity=")).findFirst().get();
+    assertTrue(row.contains("rigidity=20.0 "), row);
+    assertTrue(row.contains(" 0 to 500 N s "), row);
+  }
+
+  @Test
+  void recordedRunIsRepeated() throws Exception {
+    Path file = directory.resolve("run.rec");
+    String path = file.toString();
+    assertEquals(0, run("--steps", "40", "--seed", "7", "--set", "rigidity=20", "--record", path));
+    assertTrue(out.toString().contains("recording written to " + path), out.toString());
+    out.getBuffer().setLength(0);
+    assertEquals(0, run("--replay", path));
+    assertTrue(out.toString().startsWith("main: 40 steps at 50.0 Hz, seed 7"), out.toString());
+    assertTrue(out.toString().contains("every step is as in the recording"), out.toString());
+    assertEquals("", err.toString());
+  }
+
+  @Test
+  void replayThatDivergesNamesStepAndBodyAndGivesCode3() throws Exception {
+    Path file = directory.resolve("run.rec");
+    assertEquals(0, run("--steps", "40", "--record", file.toString()));
+    String other = Files.readString(file).replace("\nrun\n", "\nset rigidity 20.0\nrun\n");
+    Files.writeString(file, other);
+    assertEquals(3, run("--replay", file.toString()));
+    List<String> lines = err.toString().lines().toList();
+    assertEquals(1, lines.size(), err.toString());
+    assertTrue(
+        lines.get(0).matches(".*run.rec: diverges after step \\d+: body 3 differs: .*"),
+        lines.get(0));
+  }
+
+  @Test
+  void brokenRecordingGivesOneLineAndCode1() throws Exception {
+    Path file = directory.resolve("run.rec");
+    Files.writeString(file, "jbox2d-testbed recording 1\nscene nowhere\n");
+    assertEquals(1, run("--replay", file.toString()));
+    List<String> lines = err.toString().lines().toList();
+    assertEquals(1, lines.size(), err.toString());
+    assertTrue(lines.get(0).contains("line 2: unknown scene 'nowhere'"), lines.get(0));
   }
 }

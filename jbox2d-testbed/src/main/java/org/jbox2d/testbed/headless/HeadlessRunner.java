@@ -9,11 +9,15 @@ import javax.imageio.ImageIO;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.fracture.FractureFailure;
 import org.jbox2d.fracture.FractureListener;
-import org.jbox2d.fracture.FractureSystem;
 import org.jbox2d.fracture.Material;
+import org.jbox2d.testbed.export.CsvLog;
+import org.jbox2d.testbed.export.GifAnimation;
 import org.jbox2d.testbed.paint.Palette;
 import org.jbox2d.testbed.paint.SnapshotPainter;
 import org.jbox2d.testbed.paint.View;
+import org.jbox2d.testbed.recording.Divergence;
+import org.jbox2d.testbed.recording.RecordingWriter;
+import org.jbox2d.testbed.recording.Replay;
 import org.jbox2d.testbed.simulation.MassBalance;
 import org.jbox2d.testbed.simulation.Simulation;
 import org.jbox2d.testbed.simulation.SnapshotTaker;
@@ -25,86 +29,93 @@ public final class HeadlessRunner {
   private static final int GIF_WIDTH = 640;
   private static final int GIF_HEIGHT = 360;
 
-  /** How long a frame of an animation is shown, 1/100 s; 25 frames per second. */
-  private static final int GIF_FRAME = 4;
-
   private static final double NANOS_PER_SECOND = 1e9;
-
-  /** Long runs say how far they are this often, s. */
-  private static final double PROGRESS_INTERVAL = 5;
 
   private final RunRequest request;
   private final PrintWriter out;
+  private final Progress progress;
   private final SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
   private Simulation run;
   private SnapshotTaker camera;
   private PhaseTimes phases;
   private double framesDue;
   private double slowestStep;
+  private Divergence divergence;
 
-  private HeadlessRunner(RunRequest request, PrintWriter out) {
+  private HeadlessRunner(RunRequest request, PrintWriter out, PrintWriter err) {
     this.request = request;
     this.out = out;
+    progress = new Progress(err, request.replay() == null ? request.steps() : -1);
   }
 
   /**
    * Does what is asked for.
    *
    * @param out takes the report
-   * @throws IOException if a file can't be written
+   * @param err takes the progress of long runs
+   * @return where the run went another way than the recording it repeats, or {@code null}
+   * @throws IOException if a file can't be read or written
    */
-  public static void run(RunRequest request, PrintWriter out) throws IOException {
-    new HeadlessRunner(request, out).run();
+  public static Divergence run(RunRequest request, PrintWriter out, PrintWriter err)
+      throws IOException {
+    HeadlessRunner runner = new HeadlessRunner(request, out, err);
+    try (Replay replay = request.replay() == null ? null : new Replay(request.replay())) {
+      runner.run(replay);
+    }
+    return runner.divergence;
   }
 
-  private void run() throws IOException {
+  private void run(Replay replay) throws IOException {
     long start = System.nanoTime();
-    run = new Simulation(request.scene(), request.hz(), request.seed());
+    run = new Simulation(replay == null ? request.setup() : replay.setup());
     camera = new SnapshotTaker(run);
     phases = new PhaseTimes();
     if (!request.hashOnly()) {
-      FractureSystem.of(run.world()).setListener(new FailureReport());
+      run.setFractureListener(new FailureReport());
     }
     try (CsvLog csv = request.csv() == null ? null : new CsvLog(request.csv());
-        GifAnimation gif =
-            request.gif() == null ? null : new GifAnimation(request.gif(), GIF_FRAME)) {
-      steps(csv, gif);
+        RecordingWriter recording =
+            request.record() == null ? null : new RecordingWriter(request.record(), run);
+        GifAnimation gif = request.gif() == null ? null : new GifAnimation(request.gif())) {
+      while (divergence == null && more(replay)) {
+        step(csv, gif, recording);
+        divergence = replay == null ? null : replay.check(run);
+      }
     }
     double seconds = (System.nanoTime() - start) / NANOS_PER_SECOND;
     if (request.png() != null) {
-      View view = View.of(request.scene().framing(), PNG_WIDTH, PNG_HEIGHT);
+      View view = View.of(run.scene().framing(), PNG_WIDTH, PNG_HEIGHT);
       ImageIO.write(painter.image(camera.take(), view), "png", request.png().toFile());
     }
     report(seconds);
   }
 
-  private void steps(CsvLog csv, GifAnimation gif) throws IOException {
-    long lastProgress = System.nanoTime();
-    for (int i = 0; i < request.steps(); i++) {
-      if (gif != null) {
-        addFrames(gif);
-      }
-      run.step();
-      slowestStep = Math.max(slowestStep, run.stepMillis());
-      phases.add(run.world().getProfile());
-      if (csv != null) {
-        csv.write(run);
-      }
-      if ((System.nanoTime() - lastProgress) / NANOS_PER_SECOND > PROGRESS_INTERVAL
-          && !request.hashOnly()) {
-        lastProgress = System.nanoTime();
-        out.println("step " + run.steps() + " of " + request.steps());
-        out.flush();
-      }
+  private boolean more(Replay replay) throws IOException {
+    return replay == null ? run.steps() < request.steps() : replay.prepare(run);
+  }
+
+  private void step(CsvLog csv, GifAnimation gif, RecordingWriter recording) throws IOException {
+    if (gif != null) {
+      addFrames(gif);
     }
+    run.step();
+    slowestStep = Math.max(slowestStep, run.stepMillis());
+    phases.add(run.world().getProfile());
+    if (csv != null) {
+      csv.write(run.counts());
+    }
+    if (recording != null) {
+      recording.step(run);
+    }
+    progress.step(run.steps());
   }
 
   /** Adds a frame for each frame time that has begun: none or one, several at a low step rate. */
   private void addFrames(GifAnimation gif) throws IOException {
-    View view = View.of(request.scene().framing(), GIF_WIDTH, GIF_HEIGHT);
+    View view = View.of(run.scene().framing(), GIF_WIDTH, GIF_HEIGHT);
     while (framesDue <= run.time()) {
       gif.add(painter.image(camera.take(), view));
-      framesDue += GIF_FRAME / 100.0;
+      framesDue += GifAnimation.FRAME_SECONDS;
     }
   }
 
@@ -120,7 +131,7 @@ public final class HeadlessRunner {
         "%s: %d steps at %s Hz, seed %d: %d bodies, %d fixtures, %d contacts, %d fractures"
             + " (%d given up), breakable mass %.6g kg -> %.6g kg (off by %.1e), hash %016x,"
             + " %.2f s, slowest step %.2f ms%n",
-        request.scene().name(),
+        run.scene().name(),
         run.steps(),
         Float.toString(run.hz()),
         run.seed(),
@@ -135,12 +146,16 @@ public final class HeadlessRunner {
         run.hash(),
         seconds,
         slowestStep);
+    if (request.replay() != null && divergence == null) {
+      out.println("every step is as in the recording " + request.replay());
+    }
     if (request.profile()) {
       phases.print(out);
     }
     written("figures", request.csv());
     written("animation", request.gif());
     written("picture", request.png());
+    written("recording", request.record());
     out.flush();
   }
 

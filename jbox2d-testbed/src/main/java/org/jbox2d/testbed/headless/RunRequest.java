@@ -1,15 +1,15 @@
 package org.jbox2d.testbed.headless;
 
 import java.nio.file.Path;
-import org.jbox2d.testbed.scenes.Scene;
+import org.jbox2d.testbed.simulation.Setup;
 
 /**
  * What a headless run is to do.
  *
- * @param scene what to run
- * @param steps how many steps
- * @param hz steps per second
- * @param seed seed of the fractures
+ * @param setup what to run; {@code null} if a recording tells
+ * @param steps how many steps; of no meaning for a recording
+ * @param replay a recording to repeat, or {@code null}
+ * @param record where to record the run, or {@code null}
  * @param png where to write a picture of the end, or {@code null}
  * @param csv where to write figures of each step, or {@code null}
  * @param gif where to write an animation, or {@code null}
@@ -17,10 +17,10 @@ import org.jbox2d.testbed.scenes.Scene;
  * @param hashOnly whether to print the hash of the end and nothing else
  */
 public record RunRequest(
-    Scene scene,
+    Setup setup,
     int steps,
-    float hz,
-    long seed,
+    Path replay,
+    Path record,
     Path png,
     Path csv,
     Path gif,

@@ -1,9 +1,12 @@
 package org.jbox2d.testbed.scenes;
 
+import java.util.List;
 import java.util.function.Consumer;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.fracture.FractureSystem;
+import org.jbox2d.testbed.parameters.Parameter;
+import org.jbox2d.testbed.parameters.Values;
 
 /**
  * A scene: a name, what it shows, and how to build it. A scene holds no state of a run: the same
@@ -25,16 +28,24 @@ public final class Scene {
   private final String name;
   private final String title;
   private final String shows;
-  private final Consumer<World> builder;
+  private final Builder builder;
+  private final List<Parameter> parameters;
   private final float hz;
   private final Framing framing;
 
   private Scene(
-      String name, String title, String shows, Consumer<World> builder, float hz, Framing framing) {
+      String name,
+      String title,
+      String shows,
+      Builder builder,
+      List<Parameter> parameters,
+      float hz,
+      Framing framing) {
     this.name = name;
     this.title = title;
     this.shows = shows;
     this.builder = builder;
+    this.parameters = parameters;
     this.hz = hz;
     this.framing = framing;
   }
@@ -48,17 +59,29 @@ public final class Scene {
    * @param builder fills an empty world, the same way each time
    */
   static Scene of(String name, String title, String shows, Consumer<World> builder) {
-    return new Scene(name, title, shows, builder, DEFAULT_HZ, Framing.BOX);
+    Builder still =
+        (world, values) -> {
+          builder.accept(world);
+          return Script.NONE;
+        };
+    return of(name, title, shows, still);
+  }
+
+  /** A scene that has parameters or a script; see {@link #of(String, String, String, Consumer)}. */
+  static Scene of(
+      String name, String title, String shows, Builder builder, Parameter... parameters) {
+    return new Scene(name, title, shows, builder, List.of(parameters), DEFAULT_HZ, Framing.BOX);
   }
 
   /** Returns this scene with another number of steps per second. */
   Scene at(float stepsPerSecond) {
-    return new Scene(name, title, shows, builder, stepsPerSecond, framing);
+    return new Scene(name, title, shows, builder, parameters, stepsPerSecond, framing);
   }
 
   /** Returns this scene seen otherwise: centre and extent, m. */
   Scene seen(float centreX, float centreY, float width, float height) {
-    return new Scene(name, title, shows, builder, hz, new Framing(centreX, centreY, width, height));
+    Framing seen = new Framing(centreX, centreY, width, height);
+    return new Scene(name, title, shows, builder, parameters, hz, seen);
   }
 
   /** Returns an empty world for a scene. */
@@ -67,20 +90,25 @@ public final class Scene {
   }
 
   /**
-   * Builds the scene into a new world.
+   * Builds the scene into a new world, without its script.
    *
    * @param seed seed of the world's fractures
    */
   public World newWorld(long seed) {
     World world = emptyWorld();
     FractureSystem.of(world).setSeed(seed);
-    build(world);
+    build(world, Values.NONE);
     return world;
   }
 
-  /** Fills an empty world. */
-  public void build(World world) {
-    builder.accept(world);
+  /** Fills an empty world. Returns what is to act on it. */
+  public Script build(World world, Values values) {
+    return builder.build(world, values);
+  }
+
+  /** Returns the parameters by which it is built; those that all scenes have are not among them. */
+  public List<Parameter> parameters() {
+    return parameters;
   }
 
   /** Returns the name by which the scene is looked up. */
@@ -111,6 +139,13 @@ public final class Scene {
   @Override
   public String toString() {
     return title;
+  }
+
+  /** Fills an empty world, the same way each time for the same values. */
+  @FunctionalInterface
+  interface Builder {
+    /** Fills it. Returns what is to act on it. */
+    Script build(World world, Values values);
   }
 
   /**

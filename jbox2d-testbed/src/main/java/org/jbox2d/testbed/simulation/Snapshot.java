@@ -14,6 +14,9 @@ public final class Snapshot {
   /** Floats per body in {@link #centres}: position of the centre of mass. */
   static final int CENTRE = 2;
 
+  /** Floats per box in {@link #boxes}: lower and upper bound. */
+  static final int BOX = 4;
+
   /** Floats per joint in {@link #jointLines}: both anchors. */
   static final int LINE = 4;
 
@@ -24,6 +27,9 @@ public final class Snapshot {
   private final float[] jointLines;
   private final float[] contacts;
   private final float[] centres;
+  private final float[] boxes;
+  private final FractureTrace lastFracture;
+  private final long hash;
 
   /** Takes the arrays over; the caller must not keep them. */
   Snapshot(
@@ -33,7 +39,10 @@ public final class Snapshot {
       boolean[] awake,
       float[] jointLines,
       float[] contacts,
-      float[] centres) {
+      float[] centres,
+      float[] boxes,
+      FractureTrace lastFracture,
+      long hash) {
     this.counts = counts;
     this.outlines = outlines;
     this.transforms = transforms;
@@ -41,6 +50,9 @@ public final class Snapshot {
     this.jointLines = jointLines;
     this.contacts = contacts;
     this.centres = centres;
+    this.boxes = boxes;
+    this.lastFracture = lastFracture;
+    this.hash = hash;
   }
 
   /** Returns the numbers. */
@@ -116,6 +128,26 @@ public final class Snapshot {
     return centres[CENTRE * body + 1];
   }
 
+  /** Returns the number of boxes of the broad phase; 0 if they were not asked for. */
+  public int boxCount() {
+    return boxes.length / BOX;
+  }
+
+  /** Returns a coordinate of a box: x, y of the lower bound, x, y of the upper, m. */
+  public float box(int box, int coordinate) {
+    return boxes[BOX * box + coordinate];
+  }
+
+  /** Returns what the last fracture was made by; {@code null} before there is one. */
+  public FractureTrace lastFracture() {
+    return lastFracture;
+  }
+
+  /** Returns the hash of the state; see {@link StateHash}. */
+  public long hash() {
+    return hash;
+  }
+
   /**
    * Numbers of a run.
    *
@@ -127,7 +159,8 @@ public final class Snapshot {
    * @param contacts number of contacts, touching or not
    * @param particles number of particles
    * @param fractures number of fractures so far
-   * @param stepMillis how long the last step took, ms
+   * @param totals sums over the bodies
+   * @param phases how long the last step took
    */
   public record Counts(
       String scene,
@@ -138,5 +171,6 @@ public final class Snapshot {
       int contacts,
       int particles,
       int fractures,
-      double stepMillis) {}
+      Totals totals,
+      Phases phases) {}
 }

@@ -3,9 +3,11 @@ package org.jbox2d.testbed.simulation;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.Map;
+import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.WorldManifold;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.joints.Joint;
@@ -15,16 +17,35 @@ import org.jbox2d.dynamics.joints.Joint;
  * the next, so that a snapshot costs little more than a copy of the transforms.
  */
 public final class SnapshotTaker {
+  private static final float[] NO_BOXES = {};
+
   private final Simulation simulation;
   private final Vec2 anchor = new Vec2();
   private final WorldManifold manifold = new WorldManifold();
   private Map<Body, BodyOutline> known = new IdentityHashMap<>();
   private Map<Body, BodyOutline> seen = new IdentityHashMap<>();
   private int nextId;
+  private boolean withBoxes;
 
   /** Takes snapshots of the given run. */
   public SnapshotTaker(Simulation simulation) {
     this.simulation = simulation;
+  }
+
+  /** Sets whether snapshots have the boxes of the broad phase, which are many. */
+  public void setWithBoxes(boolean with) {
+    withBoxes = with;
+  }
+
+  /**
+   * Gives new bodies their numbers, as {@link #take} does. Bodies have the same numbers in two runs
+   * if in both one or the other is called after each step.
+   */
+  public void note() {
+    for (Body b = simulation.world().getBodyList(); b != null; b = b.getNext()) {
+      outlineOf(b);
+    }
+    forgetUnseen();
   }
 
   /** Returns the state as it is now. */
@@ -50,21 +71,16 @@ public final class SnapshotTaker {
     }
     forgetUnseen();
     return new Snapshot(
-        counts(), outlines, transforms, awake, jointLines(world), contacts(world), centres);
-  }
-
-  private Snapshot.Counts counts() {
-    World world = simulation.world();
-    return new Snapshot.Counts(
-        simulation.scene().name(),
-        simulation.steps(),
-        simulation.time(),
-        world.getBodyCount(),
-        simulation.fixtureCount(),
-        world.getContactCount(),
-        0,
-        simulation.fractureCount(),
-        simulation.stepMillis());
+        simulation.counts(),
+        outlines,
+        transforms,
+        awake,
+        jointLines(world),
+        contacts(world),
+        centres,
+        withBoxes ? boxes(world) : NO_BOXES,
+        simulation.lastFracture(),
+        simulation.hash());
   }
 
   private BodyOutline outlineOf(Body body) {
@@ -97,6 +113,23 @@ public final class SnapshotTaker {
       lines[at++] = anchor.y;
     }
     return lines;
+  }
+
+  private static float[] boxes(World world) {
+    float[] boxes = new float[Snapshot.BOX * world.getProxyCount()];
+    int at = 0;
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      for (Fixture f = b.getFixtureList(); f != null && b.isActive(); f = f.getNext()) {
+        for (int child = 0; child < f.getShape().getChildCount(); child++) {
+          AABB box = f.getAABB(child);
+          boxes[at++] = box.lowerBound.x;
+          boxes[at++] = box.lowerBound.y;
+          boxes[at++] = box.upperBound.x;
+          boxes[at++] = box.upperBound.y;
+        }
+      }
+    }
+    return Arrays.copyOf(boxes, at);
   }
 
   private float[] contacts(World world) {

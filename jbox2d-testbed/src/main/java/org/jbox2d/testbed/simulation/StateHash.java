@@ -30,6 +30,18 @@ public final class StateHash {
     return state.hash;
   }
 
+  /** Returns a short hash of each body's state, the oldest body first. */
+  public static int[] ofBodies(World world) {
+    int[] hashes = new int[world.getBodyCount()];
+    int i = hashes.length;
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      StateHash state = new StateHash();
+      state.add(b);
+      hashes[--i] = Long.hashCode(state.hash);
+    }
+    return hashes;
+  }
+
   private void add(Body b) {
     add(b.getType().ordinal());
     add(b.isAwake() ? 1 : 0);

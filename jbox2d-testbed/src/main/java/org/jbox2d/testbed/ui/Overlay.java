@@ -55,7 +55,7 @@ final class Overlay {
     lines.add(line("particles", "%d", counts.particles()));
     lines.add(line("fractures", "%d", counts.fractures()));
     lines.add(line("time", "%.2f s", counts.time()));
-    lines.add(line("step", "%.2f ms", counts.stepMillis()));
+    lines.add(line("step", "%.2f ms", counts.phases().step()));
     return lines;
   }
 

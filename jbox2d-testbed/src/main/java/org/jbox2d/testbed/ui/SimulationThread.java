@@ -7,7 +7,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import org.jbox2d.testbed.scenes.Scene;
+import org.jbox2d.testbed.simulation.Input;
+import org.jbox2d.testbed.simulation.Setup;
 import org.jbox2d.testbed.simulation.Simulation;
 import org.jbox2d.testbed.simulation.Snapshot;
 import org.jbox2d.testbed.simulation.SnapshotTaker;
@@ -41,7 +42,7 @@ final class SimulationThread {
   // Of the thread alone from here.
   private Simulation run;
   private SnapshotTaker camera;
-  private Interaction interaction;
+  private boolean withBoxes;
   private double speed = 1;
   private long nextStep;
 
@@ -54,14 +55,9 @@ final class SimulationThread {
    * @param listener hears of each snapshot, on this thread
    * @param onFailure hears of what ended the thread, on this thread
    */
-  SimulationThread(
-      Scene scene,
-      float hz,
-      long seed,
-      Consumer<Snapshot> listener,
-      Consumer<Throwable> onFailure) {
+  SimulationThread(Setup setup, Consumer<Snapshot> listener, Consumer<Throwable> onFailure) {
     this.listener = listener;
-    load(scene, hz, seed);
+    load(setup);
     thread = new Thread(this::loop, "simulation");
     thread.setDaemon(true);
     thread.setUncaughtExceptionHandler((t, e) -> onFailure.accept(e));
@@ -90,7 +86,7 @@ final class SimulationThread {
   /** Returns how long the last steps took, ms, the newest first. */
   double[] recentStepMillis(int most) {
     synchronized (past) {
-      return past.stream().limit(most).mapToDouble(s -> s.counts().stepMillis()).toArray();
+      return past.stream().limit(most).mapToDouble(s -> s.counts().phases().step()).toArray();
     }
   }
 
@@ -113,14 +109,36 @@ final class SimulationThread {
   }
 
   /** Replaces the run by a new one, and stops it. */
-  void load(Scene scene, float hz, long seed) {
+  void load(Setup setup) {
     going = false;
-    submit(() -> replace(new Simulation(scene, hz, seed)));
+    submit(() -> replace(new Simulation(setup)));
   }
 
-  /** Builds the scene anew; it goes on if it went. */
+  /** Builds the scene anew, with the parameters of now; it goes on if it went. */
   void reset() {
-    submit(() -> replace(new Simulation(run.scene(), run.hz(), run.seed())));
+    submit(() -> replace(new Simulation(run.setupNow())));
+  }
+
+  /** Sets a parameter; one of the scene builds it anew. */
+  void set(String parameter, double value) {
+    submit(
+        () -> {
+          if (run.isOfScene(parameter)) {
+            replace(new Simulation(run.setupNow().with(parameter, value)));
+          } else {
+            run.apply(Input.set(parameter, value));
+          }
+        });
+  }
+
+  /**
+   * Makes a state of the past the present one, and stops there: builds the scene again and does the
+   * same steps and inputs again, which is exact, but takes as long as they took. What came later is
+   * forgotten.
+   */
+  void goBackTo(int step) {
+    going = false;
+    submit(() -> rewind(step));
   }
 
   /** Does one step. */
@@ -138,8 +156,22 @@ final class SimulationThread {
   }
 
   /** Queues what the user does to the world. */
-  void interact(Consumer<Interaction> action) {
-    submit(() -> action.accept(interaction));
+  void apply(Input input) {
+    submit(() -> run.apply(input));
+  }
+
+  /** Sets whether snapshots have the boxes of the broad phase. */
+  void setWithBoxes(boolean with) {
+    submit(
+        () -> {
+          withBoxes = with;
+          camera.setWithBoxes(with);
+        });
+  }
+
+  /** Queues a look at the run, between two steps. */
+  void look(Consumer<Simulation> action) {
+    submit(() -> action.accept(run));
   }
 
   /** Ends the thread. */
@@ -155,11 +187,34 @@ final class SimulationThread {
   // --- Of the thread alone
 
   private void replace(Simulation simulation) {
+    show(simulation, new SnapshotTaker(simulation));
     fresh = true;
+  }
+
+  private void show(Simulation simulation, SnapshotTaker taker) {
     run = simulation;
-    camera = new SnapshotTaker(run);
-    interaction = new Interaction(run);
+    camera = taker;
+    camera.setWithBoxes(withBoxes);
     nextStep = System.nanoTime();
+  }
+
+  private void rewind(int step) {
+    SnapshotTaker[] taker = new SnapshotTaker[1];
+    Simulation again =
+        Simulation.repeat(
+            run.setup(),
+            run.inputs(),
+            Math.min(step, run.steps()),
+            r -> {
+              if (taker[0] == null) {
+                taker[0] = new SnapshotTaker(r);
+              }
+              taker[0].note();
+            });
+    synchronized (past) {
+      past.removeIf(snapshot -> snapshot.counts().steps() > again.steps());
+    }
+    show(again, taker[0]);
   }
 
   private void loop() {

@@ -27,6 +27,8 @@ import org.jbox2d.testbed.paint.Palette;
 import org.jbox2d.testbed.paint.SnapshotPainter;
 import org.jbox2d.testbed.scenes.Scene;
 import org.jbox2d.testbed.scenes.Scenes;
+import org.jbox2d.testbed.simulation.Input;
+import org.jbox2d.testbed.simulation.Setup;
 import org.jbox2d.testbed.simulation.Snapshot;
 
 /**
@@ -48,15 +50,14 @@ public final class TestbedWindow {
   /** How many snapshots before the last one is shown. */
   private int back;
 
-  private TestbedWindow(Scene scene, float hz, long seed, Consumer<Snapshot> listener) {
-    this.seed = seed;
+  private TestbedWindow(Setup setup, Consumer<Snapshot> listener) {
+    seed = setup.seed();
+    Scene scene = setup.scene();
     // The canvas is made before the thread that repaints it, and is painted only later.
     canvas = new WorldCanvas(scene.framing(), this::shown, this::stepMillis, this::interact);
     simulation =
         new SimulationThread(
-            scene,
-            hz,
-            seed,
+            setup,
             snapshot -> {
               canvas.repaint();
               listener.accept(snapshot);
@@ -70,18 +71,18 @@ public final class TestbedWindow {
   }
 
   /** Opens a window on a scene; it ends the program when closed. */
-  public static void open(Scene scene, float hz, long seed) {
+  public static void open(Setup setup) {
     SwingUtilities.invokeLater(
         () -> {
-          TestbedWindow window = create(scene, hz, seed, snapshot -> {});
+          TestbedWindow window = create(setup, snapshot -> {});
           window.frame.setDefaultCloseOperation(JFrame.EXIT_ON_CLOSE);
         });
   }
 
   /** Makes and shows a window, on the event thread. */
-  static TestbedWindow create(Scene scene, float hz, long seed, Consumer<Snapshot> listener) {
+  static TestbedWindow create(Setup setup, Consumer<Snapshot> listener) {
     FlatDarkLaf.setup();
-    return new TestbedWindow(scene, hz, seed, listener);
+    return new TestbedWindow(setup, listener);
   }
 
   // --- What the controls do
@@ -118,7 +119,7 @@ public final class TestbedWindow {
 
   private void sceneChosen() {
     Scene scene = (Scene) scenes.getSelectedItem();
-    simulation.load(scene, scene.hz(), seed);
+    simulation.load(Setup.of(scene, seed));
     canvas.frame(scene.framing());
     show(scene);
     canvas.requestFocusInWindow();
@@ -173,8 +174,8 @@ public final class TestbedWindow {
     return simulation.recentStepMillis(StepPlot.STEPS);
   }
 
-  private void interact(Consumer<Interaction> action) {
-    simulation.interact(action);
+  private void interact(Input input) {
+    simulation.apply(input);
   }
 
   // --- Layout

@@ -20,6 +20,8 @@ import org.jbox2d.testbed.paint.Palette;
 import org.jbox2d.testbed.paint.SnapshotPainter;
 import org.jbox2d.testbed.paint.View;
 import org.jbox2d.testbed.scenes.Scene.Framing;
+import org.jbox2d.testbed.simulation.Input;
+import org.jbox2d.testbed.simulation.Input.Action;
 import org.jbox2d.testbed.simulation.Snapshot;
 
 /**
@@ -35,7 +37,7 @@ final class WorldCanvas extends JComponent {
   private final SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
   private final Supplier<Snapshot> source;
   private final Supplier<double[]> stepMillis;
-  private final Consumer<Consumer<Interaction>> commands;
+  private final Consumer<Input> commands;
   private Framing framing;
   private View view;
   private Point mouse = new Point();
@@ -57,7 +59,7 @@ final class WorldCanvas extends JComponent {
       Framing framing,
       Supplier<Snapshot> source,
       Supplier<double[]> stepMillis,
-      Consumer<Consumer<Interaction>> commands) {
+      Consumer<Input> commands) {
     this.source = source;
     this.stepMillis = stepMillis;
     this.commands = commands;
@@ -112,21 +114,21 @@ final class WorldCanvas extends JComponent {
   void shootAtPointer() {
     float x = worldX(mouse.x);
     float y = worldY(mouse.y);
-    commands.accept(interaction -> interaction.shoot(x, y));
+    commands.accept(Input.at(Action.THROW, x, y));
   }
 
   /** Breaks what is at the pointer. */
   void breakAtPointer() {
     float x = worldX(mouse.x);
     float y = worldY(mouse.y);
-    commands.accept(interaction -> interaction.breakAt(x, y));
+    commands.accept(Input.at(Action.BREAK, x, y));
   }
 
   /** Sets off an explosion at the pointer. */
   void explodeAtPointer() {
     float x = worldX(mouse.x);
     float y = worldY(mouse.y);
-    commands.accept(interaction -> interaction.explode(x, y));
+    commands.accept(Input.at(Action.EXPLODE, x, y));
   }
 
   private void fit() {
@@ -191,7 +193,7 @@ final class WorldCanvas extends JComponent {
       holding = true;
       float x = worldX(e.getX());
       float y = worldY(e.getY());
-      commands.accept(interaction -> interaction.grab(x, y));
+      commands.accept(Input.at(Action.GRAB, x, y));
     }
 
     @Override
@@ -205,12 +207,12 @@ final class WorldCanvas extends JComponent {
       }
       if (holding) {
         holding = false;
-        commands.accept(Interaction::release);
+        commands.accept(Input.release());
       }
     }
 
     private void cut(float x1, float y1, float x2, float y2) {
-      commands.accept(interaction -> interaction.cut(x1, y1, x2, y2));
+      commands.accept(Input.cut(x1, y1, x2, y2));
     }
 
     @Override
@@ -222,7 +224,7 @@ final class WorldCanvas extends JComponent {
       if (holding) {
         float x = worldX(e.getX());
         float y = worldY(e.getY());
-        commands.accept(interaction -> interaction.dragTo(x, y));
+        commands.accept(Input.at(Action.DRAG, x, y));
       }
       repaint();
     }

@@ -10,8 +10,12 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.jbox2d.testbed.parameters.Values;
 import org.jbox2d.testbed.scenes.Scene;
 import org.jbox2d.testbed.scenes.Scenes;
+import org.jbox2d.testbed.simulation.Input;
+import org.jbox2d.testbed.simulation.Input.Action;
+import org.jbox2d.testbed.simulation.Setup;
 import org.jbox2d.testbed.simulation.Snapshot;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -24,7 +28,7 @@ class SimulationThreadTest {
   private final BlockingQueue<Snapshot> snapshots = new LinkedBlockingQueue<>();
   private final Scene scene = Scenes.named("dominoes");
   private final SimulationThread thread =
-      new SimulationThread(scene, 60f, 1, snapshots::add, Throwable::printStackTrace);
+      new SimulationThread(Setup.of(scene, 1), snapshots::add, Throwable::printStackTrace);
 
   @AfterEach
   void close() {
@@ -56,7 +60,7 @@ class SimulationThreadTest {
     thread.setGoing(true);
     await(s -> s.counts().steps() >= 5);
     thread.setGoing(false);
-    thread.interact(i -> {});
+    thread.look(run -> {});
     thread.reset();
     await(s -> s.counts().steps() == 0);
     thread.singleStep();
@@ -97,7 +101,7 @@ class SimulationThreadTest {
   @Test
   void thrownDiscIsInTheNextSnapshot() throws InterruptedException {
     int bodies = await(s -> true).bodyCount();
-    thread.interact(i -> i.shoot(0f, 10f));
+    thread.apply(Input.at(Action.THROW, 0, 10));
     Snapshot after = await(s -> true);
     assertEquals(bodies + 1, after.bodyCount());
     // The newest body is painted last; it starts to the left of its target.
@@ -110,37 +114,83 @@ class SimulationThreadTest {
     await(s -> true);
     // The disc of the scene rests on the floor at x = -32.
     int disc = snapshotIndexOfDisc();
-    thread.interact(i -> i.grab(-32f, 1f));
-    thread.interact(i -> i.dragTo(-32f, 20f));
+    thread.apply(Input.at(Action.GRAB, -32, 1));
+    thread.apply(Input.at(Action.DRAG, -32, 20));
     for (int i = 0; i < 120; i++) {
       thread.singleStep();
     }
     Snapshot held = await(s -> s.counts().steps() == 120);
     assertEquals(1, held.lineCount());
     assertEquals(20f, held.y(disc), 0.5f);
-    thread.interact(Interaction::release);
+    thread.apply(Input.release());
     thread.singleStep();
     assertEquals(0, await(s -> s.counts().steps() == 121).lineCount());
   }
 
   @Test
   void boxIsStruckCutAndBlownUp() throws InterruptedException {
-    thread.load(Scenes.named("main"), 60f, 1);
+    thread.load(new Setup(Scenes.named("main"), 60f, 1, Values.NONE));
     Snapshot whole = await(s -> s.counts().scene().equals("main"));
-    thread.interact(i -> i.breakAt(0f, 9f));
+    thread.apply(Input.at(Action.BREAK, 0, 9));
     Snapshot struck = await(s -> true);
     assertEquals(1, struck.counts().fractures());
     assertNotEquals(whole.bodyCount(), struck.bodyCount());
 
     thread.reset();
     await(s -> s.bodyCount() == whole.bodyCount());
-    thread.interact(i -> i.cut(-6f, 4f, 6f, 6f));
+    thread.apply(Input.cut(-6, 4, 6, 6));
     assertEquals(whole.bodyCount() + 1, await(s -> true).bodyCount());
 
     thread.reset();
     await(s -> s.bodyCount() == whole.bodyCount());
-    thread.interact(i -> i.explode(-6f, 5f));
+    thread.apply(Input.at(Action.EXPLODE, -6, 5));
     assertTrue(await(s -> true).bodyCount() > whole.bodyCount());
+  }
+
+  /** Back to a state that had been changed by hand, and on from there in another way. */
+  @Test
+  void goesBackToAStateOfThePastAndOnFromThere() throws InterruptedException {
+    thread.load(Setup.of(Scenes.named("main"), 1));
+    for (int i = 0; i < 60; i++) {
+      if (i == 30) {
+        thread.apply(Input.at(Action.BREAK, 0, 9));
+      }
+      thread.singleStep();
+    }
+    await(s -> s.counts().steps() == 60);
+    Snapshot then = thread.past(20);
+    assertEquals(40, then.counts().steps());
+    thread.goBackTo(40);
+    Snapshot again = await(s -> s.counts().steps() == 40);
+    assertEquals(then.hash(), again.hash());
+    assertEquals(40, thread.latest().counts().steps());
+    assertEquals(39, thread.past(1).counts().steps());
+    for (int i = 0; i < then.bodyCount(); i++) {
+      assertEquals(then.outline(i).id, again.outline(i).id);
+    }
+    thread.apply(Input.at(Action.THROW, 0, 9));
+    thread.singleStep();
+    assertEquals(
+        then.bodyCount() + 1,
+        await(s -> s.counts().steps() == 41).counts().bodies(),
+        "a disc more");
+  }
+
+  @Test
+  void parameterOfTheWorldActsAtOnce() throws InterruptedException {
+    await(s -> true);
+    int disc = snapshotIndexOfDisc();
+    float resting = thread.latest().y(disc);
+    thread.set("gravity-y", 20);
+    for (int i = 0; i < 60; i++) {
+      thread.singleStep();
+    }
+    assertTrue(await(s -> s.counts().steps() == 60).y(disc) > resting + 5f);
+    thread.reset();
+    thread.singleStep();
+    thread.singleStep();
+    Snapshot kept = await(s -> s.counts().steps() == 2);
+    assertTrue(kept.y(disc) > resting, "a reset keeps the parameter");
   }
 
   private int snapshotIndexOfDisc() {

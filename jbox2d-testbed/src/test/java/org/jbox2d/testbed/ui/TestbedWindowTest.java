@@ -23,6 +23,7 @@ import javax.swing.SwingUtilities;
 import org.jbox2d.testbed.paint.Palette;
 import org.jbox2d.testbed.paint.View;
 import org.jbox2d.testbed.scenes.Scenes;
+import org.jbox2d.testbed.simulation.Setup;
 import org.jbox2d.testbed.simulation.Snapshot;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -51,7 +52,8 @@ class TestbedWindowTest {
     robot = new Robot();
     robot.setAutoDelay(20);
     window =
-        onEventThread(() -> TestbedWindow.create(Scenes.named("pyramid"), 60f, 1, snapshots::add));
+        onEventThread(
+            () -> TestbedWindow.create(Setup.of(Scenes.named("pyramid"), 1), snapshots::add));
     await(s -> true);
     robot.waitForIdle();
     // A press gives the canvas the focus where there is no window manager to do so.

@@ -1,4 +1,4 @@
-package org.jbox2d.testbed.headless;
+package org.jbox2d.testbed.export;
 
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
@@ -19,22 +19,22 @@ import javax.imageio.stream.FileImageOutputStream;
  * Writes pictures of one size as an endless GIF animation. Each frame holds only the rectangle that
  * differs from the frame before.
  */
-final class GifAnimation implements Closeable {
+public final class GifAnimation implements Closeable {
   /** Name of the standard metadata of a GIF frame in ImageIO. */
   private static final String FRAME_FORMAT = "javax_imageio_gif_image_1.0";
 
+  /** How long each frame is shown, 1/100 s; 25 frames per second. */
+  private static final int CENTISECONDS = 4;
+
+  /** How long each frame is shown, s. */
+  public static final double FRAME_SECONDS = CENTISECONDS / 100.0;
+
   private final ImageWriter writer;
   private final FileImageOutputStream out;
-  private final int centiseconds;
   private BufferedImage last;
 
-  /**
-   * Opens a file.
-   *
-   * @param centiseconds how long each frame is shown, 1/100 s
-   */
-  GifAnimation(Path file, int centiseconds) throws IOException {
-    this.centiseconds = centiseconds;
+  /** Opens a file. */
+  public GifAnimation(Path file) throws IOException {
     // A file that was there keeps its tail otherwise.
     Files.deleteIfExists(file);
     out = new FileImageOutputStream(file.toFile());
@@ -44,7 +44,7 @@ final class GifAnimation implements Closeable {
   }
 
   /** Appends a frame. */
-  void add(BufferedImage frame) throws IOException {
+  public void add(BufferedImage frame) throws IOException {
     Rectangle part = last == null ? whole(frame) : difference(last, frame);
     BufferedImage cut = frame.getSubimage(part.x, part.y, part.width, part.height);
     IIOMetadata metadata =
@@ -56,7 +56,7 @@ final class GifAnimation implements Closeable {
     descriptor.setAttribute("imageTopPosition", Integer.toString(part.y));
     IIOMetadataNode control = child(root, "GraphicControlExtension");
     control.setAttribute("disposalMethod", "doNotDispose");
-    control.setAttribute("delayTime", Integer.toString(centiseconds));
+    control.setAttribute("delayTime", Integer.toString(CENTISECONDS));
     if (last == null) {
       addLoop(root);
     }

@@ -1,4 +1,4 @@
-package org.jbox2d.testbed.ui;
+package org.jbox2d.testbed.simulation;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
@@ -18,7 +18,6 @@ import org.jbox2d.dynamics.joints.MouseJointDef;
 import org.jbox2d.fracture.FractureSystem;
 import org.jbox2d.fracture.Material;
 import org.jbox2d.testbed.scenes.Scenes;
-import org.jbox2d.testbed.simulation.Simulation;
 
 /** What the user does to the world. Runs on the simulation's thread, between steps. */
 final class Interaction {
@@ -28,17 +27,8 @@ final class Interaction {
   /** Greatest acceleration that dragging gives a body, m/s^2. */
   private static final float DRAG_ACCELERATION = 1000f;
 
-  private static final float SHOT_RADIUS = 0.8f;
-  private static final float SHOT_DENSITY = 5f;
-  private static final float SHOT_SPEED = 80f;
-
   /** How far from its target a shot starts, m. */
   private static final float SHOT_DISTANCE = 25f;
-
-  private static final float EXPLOSION_RADIUS = 12f;
-
-  /** At a distance of 1 m, N s/m. */
-  private static final float EXPLOSION_IMPULSE = 150f;
 
   private final Simulation run;
   private final World world;
@@ -48,8 +38,38 @@ final class Interaction {
     world = run.world();
   }
 
+  /** Does what the user does to the world. */
+  void act(Input input) {
+    float x = input.action() == Input.Action.RELEASE ? 0f : input.real(0);
+    switch (input.action()) {
+      case GRAB:
+        grab(x, input.real(1));
+        break;
+      case DRAG:
+        dragTo(x, input.real(1));
+        break;
+      case RELEASE:
+        release();
+        break;
+      case THROW:
+        shoot(x, input.real(1));
+        break;
+      case BREAK:
+        breakAt(x, input.real(1));
+        break;
+      case CUT:
+        cut(x, input.real(1), input.real(2), input.real(3));
+        break;
+      case EXPLODE:
+        explode(x, input.real(1));
+        break;
+      default:
+        throw new IllegalArgumentException("not done to the world: " + input);
+    }
+  }
+
   /** Takes hold of the dynamic body at a world point, if there is one. */
-  void grab(float x, float y) {
+  private void grab(float x, float y) {
     release();
     Vec2 point = new Vec2(x, y);
     Fixture fixture = fixtureAt(point, f -> f.getBody().getType() == BodyType.DYNAMIC);
@@ -69,7 +89,7 @@ final class Interaction {
   }
 
   /** Pulls what has been grabbed towards a world point. */
-  void dragTo(float x, float y) {
+  private void dragTo(float x, float y) {
     MouseJoint joint = held();
     if (joint != null) {
       joint.getBodyB().setAwake(true);
@@ -78,7 +98,7 @@ final class Interaction {
   }
 
   /** Lets go. */
-  void release() {
+  private void release() {
     MouseJoint joint = held();
     if (joint != null) {
       world.destroyJoint(joint);
@@ -86,26 +106,26 @@ final class Interaction {
   }
 
   /** Throws a heavy disc at a world point, from the left and a little above. */
-  void shoot(float x, float y) {
-    float inside = Scenes.BOX_HALF_WIDTH - 2f * SHOT_RADIUS;
+  private void shoot(float x, float y) {
+    float radius = (float) run.value(Tools.SHOT_RADIUS);
+    float inside = Scenes.BOX_HALF_WIDTH - 2f * radius;
     BodyDef def = new BodyDef();
     def.type = BodyType.DYNAMIC;
     def.bullet = true;
-    def.position.set(
-        Math.max(-inside, Math.min(inside, x - SHOT_DISTANCE)), Math.max(y, SHOT_RADIUS));
-    def.linearVelocity.set(SHOT_SPEED, 0f);
+    def.position.set(Math.max(-inside, Math.min(inside, x - SHOT_DISTANCE)), Math.max(y, radius));
+    def.linearVelocity.set((float) run.value(Tools.SHOT_SPEED), 0f);
     Body body = world.createBody(def);
     CircleShape shape = new CircleShape();
-    shape.m_radius = SHOT_RADIUS;
+    shape.m_radius = radius;
     FixtureDef substance = new FixtureDef();
     substance.shape = shape;
-    substance.density = SHOT_DENSITY;
+    substance.density = (float) run.value(Tools.SHOT_DENSITY);
     body.createFixture(substance);
     run.massBalance().leaveOut(body);
   }
 
   /** Strikes what is at a world point, from above, twice as hard as it bears. */
-  void breakAt(float x, float y) {
+  private void breakAt(float x, float y) {
     Vec2 point = new Vec2(x, y);
     Fixture fixture = fixtureAt(point, f -> f.getMaterial() instanceof Material);
     if (fixture != null) {
@@ -115,7 +135,7 @@ final class Interaction {
   }
 
   /** Cuts every body that a segment between two world points goes through; scenery stays whole. */
-  void cut(float x1, float y1, float x2, float y2) {
+  private void cut(float x1, float y1, float x2, float y2) {
     Vec2 from = new Vec2(x1, y1);
     Vec2 to = new Vec2(x2, y2);
     if (from.equals(to)) {
@@ -137,8 +157,12 @@ final class Interaction {
   }
 
   /** Sets off an explosion. */
-  void explode(float x, float y) {
-    FractureSystem.of(world).explode(new Vec2(x, y), EXPLOSION_RADIUS, EXPLOSION_IMPULSE);
+  private void explode(float x, float y) {
+    FractureSystem.of(world)
+        .explode(
+            new Vec2(x, y),
+            (float) run.value(Tools.BLAST_RADIUS),
+            (float) run.value(Tools.BLAST_IMPULSE));
   }
 
   /**
