@@ -6,7 +6,7 @@ import org.jbox2d.dynamics.Fixture;
 /** Hears of the fixtures that a ray meets, in no particular order. */
 public interface RayCastCallback {
   /**
-   * A fixture that the ray meets.
+   * A fixture that the ray meets. The vectors are valid until this returns: keep copies.
    *
    * @param point world point where the ray enters it
    * @param normal world normal there

@@ -62,6 +62,7 @@ public class World {
   private final IWorldPool pool;
   private final StepConfig step = new StepConfig();
   private final Profile profile = new Profile();
+  private final WorldRayCast rayCast;
   private final IslandSolver islandSolver;
   private final ContinuousCollision continuous;
   private final ArrayDeque<Runnable> deferred = new ArrayDeque<>();
@@ -103,6 +104,7 @@ public class World {
     this.gravity.set(gravity);
     this.pool = pool;
     m_contactManager = new ContactManager(this, broadPhase);
+    rayCast = new WorldRayCast(broadPhase);
     islandSolver = new IslandSolver(this);
     continuous = new ContinuousCollision(this);
   }
@@ -537,7 +539,7 @@ public class World {
 
   /**
    * Reports the fixtures that the segment from {@code point1} to {@code point2} meets, in no
-   * particular order.
+   * particular order. The callback may cast further rays.
    *
    * @throws IllegalArgumentException if a point is not finite
    */
@@ -545,7 +547,7 @@ public class World {
     Checks.notNull(callback, "callback");
     Checks.finite(point1, "point1");
     Checks.finite(point2, "point2");
-    new WorldRayCast(m_contactManager.m_broadPhase, callback).cast(point1, point2);
+    rayCast.cast(callback, point1, point2);
   }
 
   // --- Extensions ---

@@ -8,26 +8,47 @@ import org.jbox2d.collision.broadphase.BroadPhase;
 import org.jbox2d.common.Vec2;
 
 /**
- * One ray cast: from the broad phase's candidates to fixtures. A new object for each, so that casts
- * may be nested.
+ * Casts rays: from the broad phase's candidates to fixtures. An object does one cast at a time; a
+ * cast that a callback asks for during another is done by a further one, made when first needed. So
+ * a warm world casts without allocating. What callbacks are given is valid until they return.
  */
 final class WorldRayCast implements TreeRayCastCallback {
   private final BroadPhase broadPhase;
-  private final RayCastCallback callback;
+  private final RayCastInput input = new RayCastInput();
   private final RayCastOutput output = new RayCastOutput();
   private final Vec2 point = new Vec2();
 
-  WorldRayCast(BroadPhase broadPhase, RayCastCallback callback) {
+  /** Who hears of this cast; null while none is under way. */
+  private RayCastCallback callback;
+
+  /** Does the casts that are asked for during one of this object. */
+  private WorldRayCast nested;
+
+  WorldRayCast(BroadPhase broadPhase) {
     this.broadPhase = broadPhase;
-    this.callback = callback;
   }
 
-  void cast(Vec2 point1, Vec2 point2) {
-    RayCastInput input = new RayCastInput();
+  void cast(RayCastCallback callback, Vec2 point1, Vec2 point2) {
+    if (this.callback == null) {
+      run(callback, point1, point2);
+      return;
+    }
+    if (nested == null) {
+      nested = new WorldRayCast(broadPhase);
+    }
+    nested.cast(callback, point1, point2);
+  }
+
+  private void run(RayCastCallback callback, Vec2 point1, Vec2 point2) {
     input.p1.set(point1);
     input.p2.set(point2);
     input.maxFraction = 1f;
-    broadPhase.raycast(this, input);
+    this.callback = callback;
+    try {
+      broadPhase.raycast(this, input);
+    } finally {
+      this.callback = null;
+    }
   }
 
   @Override
