@@ -3,54 +3,80 @@ package org.jbox2d.benchmarks;
 import com.sun.management.ThreadMXBean;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
-import org.jbox2d.benchmarks.peers.Engine;
+import java.util.concurrent.Callable;
+import org.jbox2d.benchmarks.engines.Contender;
+import org.jbox2d.benchmarks.scenes.SceneSpec;
+import org.jbox2d.benchmarks.scenes.SteppedScene;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
 
 /**
- * Compares our step with that of the original engine, in one run: {@code java -cp
+ * Compares the steps of engines and solvers, in one run: {@code java -cp
  * benchmarks/target/benchmarks.jar org.jbox2d.benchmarks.Ratios [scene...]}.
  *
- * <p>Both engines step the same scene in turns of a few steps, so that what else the machine does
- * hits both alike. A figure is the median of the processor time that the thread used for a step;
- * garbage collection, which runs on other threads, is not in it. For scenes in which it is fit to
- * compare, dyn4j runs along when {@code --dyn4j} is given.
+ * <p>All step the same scene in turns of a few steps, so that what else the machine does hits all
+ * alike. A figure is the median of the processor time that the thread used for a step; garbage
+ * collection, which runs on other threads, is not in it.
  */
-public final class Ratios {
+@Command(
+    name = "ratios",
+    mixinStandardHelpOptions = true,
+    description = "Thread time of a step, ms, and in brackets how many times JBox2D's speed.")
+public final class Ratios implements Callable<Integer> {
   /** Steps of one engine before it is the other's turn. */
   private static final int TURN = 4;
 
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
+  @Option(names = "--solver", split = ",", description = "Labels of solvers; all if left out.")
+  private List<String> solvers = new ArrayList<>();
+
+  @Parameters(description = "Scenes; all if left out.")
+  private List<String> scenes = new ArrayList<>();
+
   private Ratios() {}
 
   /** Runs the scenes named, or all. */
   public static void main(String[] args) {
-    boolean dyn4j = Arrays.asList(args).contains("--dyn4j");
-    String[] names = Arrays.stream(args).filter(a -> !a.startsWith("--")).toArray(String[]::new);
-    SceneSpec[] specs =
-        names.length == 0
-            ? SceneSpec.values()
-            : Arrays.stream(names).map(SceneSpec::of).toArray(SceneSpec[]::new);
-    PrintStream out = System.out;
-    out.println(
-        "| scene (bodies) | ours, ms | JBox2D 2.2.1.1, ms | ratio | ours, B/step |"
-            + (dyn4j ? " dyn4j, ms | ratio |" : ""));
-    out.println("|---|--:|--:|--:|--:|" + (dyn4j ? "--:|--:|" : ""));
-    for (SceneSpec spec : specs) {
-      Lane ours = new Lane(Engine.OURS, spec);
-      Lane original = new Lane(Engine.JBOX2D, spec);
-      Lane third = dyn4j && spec.bodiesAlone ? new Lane(Engine.DYN4J, spec) : null;
-      run(spec, third == null ? new Lane[] {ours, original} : new Lane[] {ours, original, third});
-      out.print(row(spec, ours, original));
-      if (third != null) {
-        out.printf(Locale.ROOT, " %.3f | %.2f |", third.median(), third.median() / ours.median());
-      }
-      out.println();
-    }
+    System.exit(new CommandLine(new Ratios()).execute(args));
   }
 
-  private static void run(SceneSpec spec, Lane[] lanes) {
+  @Override
+  public Integer call() {
+    List<SceneSpec> specs =
+        scenes.isEmpty()
+            ? List.of(SceneSpec.values())
+            : scenes.stream().map(SceneSpec::of).toList();
+    List<Contender> chosen =
+        solvers.isEmpty()
+            ? List.of(Contender.values())
+            : solvers.stream().map(Contender::of).toList();
+    PrintStream out = System.out;
+    out.print("| scene (bodies) |");
+    for (Contender solver : chosen) {
+      out.print(" " + solver.label + " |" + (solver.ours ? " B/step |" : ""));
+    }
+    out.print("\n|---|");
+    for (Contender solver : chosen) {
+      out.print(solver.ours ? "--:|--:|" : "--:|");
+    }
+    out.println();
+    for (SceneSpec spec : specs) {
+      List<Lane> lanes = chosen.stream().map(solver -> new Lane(solver, spec)).toList();
+      run(spec, lanes);
+      out.println(row(spec, lanes));
+      lanes.forEach(lane -> lane.scene.close());
+    }
+    return 0;
+  }
+
+  private static void run(SceneSpec spec, List<Lane> lanes) {
     for (int done = 0; done < spec.warmSteps; done += TURN) {
       for (Lane lane : lanes) {
         lane.warm(Math.min(TURN, spec.warmSteps - done));
@@ -63,27 +89,34 @@ public final class Ratios {
     }
   }
 
-  private static String row(SceneSpec spec, Lane ours, Lane original) {
-    return String.format(
-        Locale.ROOT,
-        "| %s (%d) | %.3f | %.3f | %.2f | %d |",
-        spec.label,
-        ours.scene.bodyCount(),
-        ours.median(),
-        original.median(),
-        original.median() / ours.median(),
-        ours.allocated / spec.measuredSteps);
+  private static String row(SceneSpec spec, List<Lane> lanes) {
+    double original = Double.NaN;
+    for (Lane lane : lanes) {
+      original = lane.solver == Contender.JBOX2D ? lane.median() : original;
+    }
+    StringBuilder row = new StringBuilder("| ").append(spec.label);
+    row.append(" (").append(lanes.get(0).scene.bodyCount()).append(") |");
+    for (Lane lane : lanes) {
+      double own = lane.median();
+      row.append(String.format(Locale.ROOT, " %.3f (%.2f) |", own, original / own));
+      if (lane.solver.ours) {
+        row.append(' ').append(lane.allocated / spec.measuredSteps).append(" |");
+      }
+    }
+    return row.toString();
   }
 
   /** One engine's run of a scene. */
   private static final class Lane {
+    final Contender solver;
     final SteppedScene scene;
     final long[] nanos;
     int measured;
     long allocated;
 
-    Lane(Engine engine, SceneSpec spec) {
-      scene = engine.build(spec.label);
+    Lane(Contender solver, SceneSpec spec) {
+      this.solver = solver;
+      scene = spec.build(solver);
       nanos = new long[spec.measuredSteps];
     }
 

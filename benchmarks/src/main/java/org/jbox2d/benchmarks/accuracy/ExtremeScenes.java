@@ -2,9 +2,9 @@ package org.jbox2d.benchmarks.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jbox2d.benchmarks.accuracy.engines.Kind;
-import org.jbox2d.benchmarks.accuracy.engines.Matter;
-import org.jbox2d.benchmarks.accuracy.engines.SimBody;
+import org.jbox2d.benchmarks.engines.Kind;
+import org.jbox2d.benchmarks.engines.Matter;
+import org.jbox2d.benchmarks.engines.SimBody;
 
 /** Where methods fail: speed, overlap, crowds, sleep. */
 final class ExtremeScenes {

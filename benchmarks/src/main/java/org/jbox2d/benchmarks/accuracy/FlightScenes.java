@@ -1,8 +1,8 @@
 package org.jbox2d.benchmarks.accuracy;
 
 import java.util.List;
-import org.jbox2d.benchmarks.accuracy.engines.Matter;
-import org.jbox2d.benchmarks.accuracy.engines.SimBody;
+import org.jbox2d.benchmarks.engines.Matter;
+import org.jbox2d.benchmarks.engines.SimBody;
 
 /** Bodies that touch nothing: the integrator, rounding, and caps of speed. */
 final class FlightScenes {

@@ -2,10 +2,10 @@ package org.jbox2d.benchmarks.accuracy;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jbox2d.benchmarks.accuracy.engines.Kind;
-import org.jbox2d.benchmarks.accuracy.engines.Matter;
-import org.jbox2d.benchmarks.accuracy.engines.Sim;
-import org.jbox2d.benchmarks.accuracy.engines.SimBody;
+import org.jbox2d.benchmarks.engines.Kind;
+import org.jbox2d.benchmarks.engines.Matter;
+import org.jbox2d.benchmarks.engines.Sim;
+import org.jbox2d.benchmarks.engines.SimBody;
 
 /** Collisions: momentum, energy, and which way things go. */
 final class ImpactScenes {

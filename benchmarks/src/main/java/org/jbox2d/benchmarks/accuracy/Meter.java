@@ -1,7 +1,8 @@
 package org.jbox2d.benchmarks.accuracy;
 
-import org.jbox2d.benchmarks.accuracy.engines.Contender;
-import org.jbox2d.benchmarks.accuracy.engines.Sim;
+import org.jbox2d.benchmarks.engines.Contender;
+import org.jbox2d.benchmarks.engines.Setting;
+import org.jbox2d.benchmarks.engines.Sim;
 
 /** Measures errors and times. */
 final class Meter {

@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import org.jbox2d.benchmarks.accuracy.engines.Contender;
+import org.jbox2d.benchmarks.engines.Contender;
+import org.jbox2d.benchmarks.engines.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

@@ -1,6 +1,7 @@
 package org.jbox2d.benchmarks.accuracy;
 
-import org.jbox2d.benchmarks.accuracy.engines.Contender;
+import org.jbox2d.benchmarks.engines.Contender;
+import org.jbox2d.benchmarks.engines.Setting;
 
 /**
  * What a solver at a setting makes of a scene.

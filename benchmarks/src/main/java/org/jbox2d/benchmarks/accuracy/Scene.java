@@ -2,7 +2,7 @@ package org.jbox2d.benchmarks.accuracy;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import org.jbox2d.benchmarks.accuracy.engines.Sim;
+import org.jbox2d.benchmarks.engines.Sim;
 
 /**
  * A scene whose outcome is known.

@@ -1,7 +1,8 @@
 package org.jbox2d.benchmarks.accuracy;
 
 import java.util.List;
-import org.jbox2d.benchmarks.accuracy.engines.Contender;
+import org.jbox2d.benchmarks.engines.Contender;
+import org.jbox2d.benchmarks.engines.Setting;
 
 /**
  * A solver at a setting over all scenes.

@@ -1,8 +1,6 @@
 package org.jbox2d.benchmarks.scenes;
 
 import java.util.Random;
-import org.jbox2d.collision.shapes.PolygonShape;
-import org.jbox2d.common.Vec2;
 
 /** Random convex polygons. */
 final class Polygons {
@@ -11,18 +9,15 @@ final class Polygons {
 
   private Polygons() {}
 
-  /** A convex polygon of 4 to 7 vertices on a circle, counter-clockwise. */
-  static PolygonShape random(Random random, float radius) {
+  /** A convex polygon of 4 to 7 vertices on a circle, counter-clockwise: x, y, x, y... */
+  static double[] random(Random random, double radius) {
     int n = 4 + random.nextInt(4);
-    Vec2[] vertices = new Vec2[n];
+    double[] vertices = new double[2 * n];
     for (int i = 0; i < n; i++) {
       double angle = 2 * Math.PI * (i + SPREAD * random.nextDouble()) / n;
-      vertices[i] =
-          new Vec2(
-              (float) (radius * StrictMath.cos(angle)), (float) (radius * StrictMath.sin(angle)));
+      vertices[2 * i] = radius * StrictMath.cos(angle);
+      vertices[2 * i + 1] = radius * StrictMath.sin(angle);
     }
-    PolygonShape shape = new PolygonShape();
-    shape.set(vertices, n);
-    return shape;
+    return vertices;
   }
 }

@@ -1,2 +1,0 @@
-/** One interface over several engines. A scene is written once, against it. */
-package org.jbox2d.benchmarks.accuracy.engines;
