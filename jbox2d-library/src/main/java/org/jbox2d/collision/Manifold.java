@@ -36,6 +36,12 @@ public class Manifold {
   public ManifoldType type;
   public int pointCount;
 
+  /**
+   * Engine-internal: whether the one point lies beyond the end of the face, so that two vertices
+   * are opposite each other and the normal is not that of their distance.
+   */
+  public boolean corner;
+
   public Manifold() {
     points = new ManifoldPoint[Settings.maxManifoldPoints];
     for (int i = 0; i < points.length; i++) {
@@ -57,5 +63,6 @@ public class Manifold {
     localNormal.set(cp.localNormal);
     localPoint.set(cp.localPoint);
     pointCount = cp.pointCount;
+    corner = cp.corner;
   }
 }

@@ -107,6 +107,11 @@ public class Body {
   /** Whatever the user keeps here. */
   public Object m_userData;
 
+  /** Substeps that the adaptive solver gave its island, and for how many steps it needed less. */
+  int effort;
+
+  int effortAge;
+
   /** Place among the bodies that a step looks at, or -1. */
   int awakeIndex = -1;
 

@@ -40,7 +40,7 @@ final class BounceTiming {
       }
       for (int k = o + POINT; k < o + POINT + POINT_STRIDE * cc.pointCount[i]; k += POINT_STRIDE) {
         if (d[k + BIAS] > 0f) {
-          float s = gain(contacts[i], d[o + NX], d[o + NY], step) * (alpha - 0.5f);
+          float s = gain(contacts[i], d[o + NX], d[o + NY], step) * (alpha - step.velocityTime);
           d[k + BIAS] = Math.max(0f, d[k + BIAS] - (1f + d[o + RESTITUTION]) * s);
         }
       }

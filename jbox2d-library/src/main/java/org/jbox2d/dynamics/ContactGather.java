@@ -40,7 +40,8 @@ final class ContactGather {
   }
 
   /** As {@link #writeVelocityRecord}. */
-  static void writePositionRecord(ContactConstraints cc, int i, Contact c, SolverBodies bodies) {
+  static void writePositionRecord(
+      ContactConstraints cc, int i, Contact c, SolverBodies bodies, StepConfig step) {
     Manifold manifold = c.m_manifold;
     float[] d = cc.pos;
     float[] m = bodies.mass;
@@ -53,7 +54,10 @@ final class ContactGather {
     d[o + P_INV_I_B] = m[oB + 1];
     d[o + RADIUS_A] = c.m_radiusA;
     d[o + RADIUS_B] = c.m_radiusB;
-    cc.manifoldPoints[i] = manifold.pointCount;
+    d[o + P_REST] = restDepth(c, step);
+    // Bodies that rest closer than their skins would catch on the corner of the next tile.
+    boolean catches = manifold.corner && step.skinShare > 0f;
+    cc.manifoldPoints[i] = catches ? 0 : manifold.pointCount;
     int centreOfPlane = oA + 2;
     int centreOfPoints = oB + 2;
     switch (manifold.type) {
@@ -78,6 +82,11 @@ final class ContactGather {
       d[o + P1X + 2 * j] = p.x - m[centreOfPoints];
       d[o + P1Y + 2 * j] = p.y - m[centreOfPoints + 1];
     }
+  }
+
+  /** Overlap of the shapes' surfaces, skins included, at rest, m. */
+  static float restDepth(Contact c, StepConfig step) {
+    return step.skinShare * c.m_skin + step.linearSlop;
   }
 
   static void readImpulses(ContactConstraints cc, int i, Contact c) {

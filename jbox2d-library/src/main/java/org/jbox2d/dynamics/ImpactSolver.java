@@ -28,7 +28,10 @@ final class ImpactSolver {
   /** Bound of the position iterations; they end when the overlap is acceptable. */
   private static final int POSITION_ITERATIONS = 20;
 
-  /** Overlap that is acceptable, in linear slops: half of that at which an impact is found. */
+  /**
+   * Overlap that is acceptable, in that at rest: with sequential impulses half of that at which an
+   * impact is found.
+   */
   private static final float ACCEPTED_SLOPS = 1.5f;
 
   private final ContactManager contacts;
@@ -58,10 +61,10 @@ final class ImpactSolver {
   void solve(Body b, Body o, Contact impact, float alpha, StepConfig step) {
     ContactListener listener = contacts.m_contactListener;
     gather(b, o, impact, listener);
-    pushApart(step);
+    pushApart(impact, step);
     ContactPreparation.prepare(constraints, bodies, 0, count, step.velocityThreshold);
     BounceTiming.correct(constraints, solved, 0, count, alpha, step);
-    report.keepVelocities();
+    report.keepVelocities(0f);
     for (int n = 0; n < step.velocityIterations; n++) {
       ContactVelocityKernel.solve(constraints, bodies, 0, count);
     }
@@ -96,7 +99,7 @@ final class ImpactSolver {
       constraints.bodyA[i] = slotOf(c.m_fixtureA.m_body);
       constraints.bodyB[i] = slotOf(c.m_fixtureB.m_body);
       ContactGather.writeVelocityRecord(constraints, i, c, bodies, cold);
-      ContactGather.writePositionRecord(constraints, i, c, bodies);
+      ContactGather.writePositionRecord(constraints, i, c, bodies, cold);
     }
   }
 
@@ -160,8 +163,9 @@ final class ImpactSolver {
 
   // --- Solve ---
 
-  private void pushApart(StepConfig step) {
-    float slop = step.linearSlop;
+  /** Pushes the overlap apart as far as the step's solver would at rest. */
+  private void pushApart(Contact impact, StepConfig step) {
+    float slop = ContactGather.restDepth(impact, step);
     float least = Float.NEGATIVE_INFINITY;
     for (int n = 0; n < POSITION_ITERATIONS && least < -ACCEPTED_SLOPS * slop; n++) {
       least =

@@ -5,8 +5,10 @@ import org.jbox2d.common.Settings;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.solver.ContactConstraints;
+import org.jbox2d.dynamics.solver.Effort;
 import org.jbox2d.dynamics.solver.JointRows;
 import org.jbox2d.dynamics.solver.SequentialImpulses;
+import org.jbox2d.dynamics.solver.SoftStep;
 import org.jbox2d.dynamics.solver.SolverBodies;
 import org.jbox2d.dynamics.solver.StepConfig;
 
@@ -15,12 +17,26 @@ import org.jbox2d.dynamics.solver.StepConfig;
  * solver island by island, scatters the results, reports them, and puts calm islands to sleep.
  */
 final class IslandSolver {
+  /**
+   * For how many steps an island keeps its substeps when it needs fewer, and by what share they
+   * then fall. Velocities belong to the middle of a substep, so each change of its length costs
+   * some energy, and one with the phase of a swing would go on taking or giving it; a pile settles
+   * by some tenths of a millimetre.
+   */
+  private static final int SWING_HELD = 240;
+
+  private static final int PILE_HELD = 30;
+
+  private static final float EFFORT_FALL = 0.7f;
+
   private final World world;
   private final Islands islands = new Islands();
   private final SolverBodies bodies = new SolverBodies();
   private final ContactConstraints constraints = new ContactConstraints();
   private final JointRows joints = new JointRows();
-  private final SequentialImpulses solver = new SequentialImpulses(bodies, constraints, joints);
+  private final SequentialImpulses sequential = new SequentialImpulses(bodies, constraints, joints);
+  private final SoftStep soft = new SoftStep(bodies, constraints, joints);
+  private final Effort effort = new Effort(bodies, constraints, joints);
   private final SolvedContactReport report;
 
   /** Rises with each step; tells which bodies that do not move have a slot. */
@@ -37,21 +53,34 @@ final class IslandSolver {
     report = new SolvedContactReport(constraints, bodies, false);
   }
 
-  void solve(StepConfig step, Profile profile) {
+  void solve(StepConfig step, Solver solver, Profile profile) {
     profile.solveInit.startAccum();
     islands.build(world.awake, world.m_contactManager);
-    gatherBodies(step);
+    boolean substeps = !solver.isSequentialImpulses();
+    gatherBodies(step, substeps);
     gatherContacts(step);
     gatherJoints();
-    report.keepVelocities();
+    report.keepVelocities(substeps ? step.dt : 0f);
+    if (settled.length < islands.count) {
+      settled = new boolean[islands.count + (islands.count >> 1)];
+    }
     profile.solveInit.accumElapsed();
-    profile.solveVelocity.startAccum();
-    solveVelocities(step);
-    profile.solveVelocity.accumElapsed();
-    profile.solvePosition.startAccum();
-    solvePositions(step, profile);
-    profile.solvePosition.accumElapsed();
+    if (substeps) {
+      profile.solveVelocity.startAccum();
+      solveSubsteps(step, solver);
+      profile.solveVelocity.accumElapsed();
+    } else {
+      profile.solveVelocity.startAccum();
+      solveVelocities(step);
+      profile.solveVelocity.accumElapsed();
+      profile.solvePosition.startAccum();
+      solvePositions(step, profile);
+      profile.solvePosition.accumElapsed();
+    }
     scatter(step);
+    if (substeps) {
+      soft.sumImpulses(islands.contactCount);
+    }
     ContactListener listener = world.m_contactManager.m_contactListener;
     if (listener != null || islands.materials) {
       report.send(islands.contacts, islands.contactCount, listener, step);
@@ -62,10 +91,10 @@ final class IslandSolver {
   // --- Gather ---
 
   /**
-   * Copies the awake bodies to their slots and applies gravity, forces and damping to the
-   * velocities.
+   * Copies the awake bodies to their slots; applies gravity, forces and damping to the velocities
+   * or, for substeps, writes them down.
    */
-  private void gatherBodies(StepConfig step) {
+  private void gatherBodies(StepConfig step, boolean substeps) {
     stamp++;
     AwakeSet awake = world.awake;
     int n = awake.count;
@@ -80,10 +109,27 @@ final class IslandSolver {
       b.m_sweep.alpha0 = 0f;
       b.m_xf0.set(b.m_xf);
       writeState(b, i);
-      if (b.m_type == BodyType.DYNAMIC) {
+      if (b.m_type != BodyType.DYNAMIC) {
+        continue;
+      }
+      if (substeps) {
+        writeForces(b, i, step);
+      } else {
         integrateVelocity(b, i, step);
       }
     }
+  }
+
+  private void writeForces(Body b, int slot, StepConfig step) {
+    int o = SolverBodies.STRIDE * slot;
+    float[] a = bodies.accel;
+    // As in integrateVelocity.
+    float gravity = b.m_invMass > 0f ? b.m_gravityScale : 0f;
+    a[o] = gravity * step.gravityX + b.m_invMass * b.m_force.x;
+    a[o + 1] = gravity * step.gravityY + b.m_invMass * b.m_force.y;
+    a[o + 2] = b.m_invI * b.m_torque;
+    bodies.damping[2 * slot] = b.m_linearDamping;
+    bodies.damping[2 * slot + 1] = b.m_angularDamping;
   }
 
   private void writeState(Body b, int slot) {
@@ -103,6 +149,11 @@ final class IslandSolver {
     m[o + 2] = b.m_sweep.localCenter.x;
     m[o + 3] = b.m_sweep.localCenter.y;
     bodies.angle[slot] = b.m_sweep.a;
+    bodies.accel[o] = 0f;
+    bodies.accel[o + 1] = 0f;
+    bodies.accel[o + 2] = 0f;
+    bodies.damping[2 * slot] = 0f;
+    bodies.damping[2 * slot + 1] = 0f;
   }
 
   /**
@@ -151,7 +202,7 @@ final class IslandSolver {
       constraints.bodyA[i] = slotOf(c.m_fixtureA.m_body);
       constraints.bodyB[i] = slotOf(c.m_fixtureB.m_body);
       ContactGather.writeVelocityRecord(constraints, i, c, bodies, step);
-      ContactGather.writePositionRecord(constraints, i, c, bodies);
+      ContactGather.writePositionRecord(constraints, i, c, bodies, step);
     }
   }
 
@@ -173,9 +224,9 @@ final class IslandSolver {
     int[] j = islands.jointStart;
     for (int k = 0; k < islands.count; k++) {
       if (c[k] < c[k + 1] || j[k] < j[k + 1]) {
-        solver.prepare(c[k], c[k + 1], j[k], j[k + 1], step);
+        sequential.prepare(c[k], c[k + 1], j[k], j[k + 1], step);
         BounceTiming.correct(constraints, islands.contacts, c[k], c[k + 1], 0f, step);
-        solver.solveVelocities(c[k], c[k + 1], j[k], j[k + 1], step);
+        sequential.solveVelocities(c[k], c[k + 1], j[k], j[k + 1], step);
       }
     }
   }
@@ -183,15 +234,77 @@ final class IslandSolver {
   private void solvePositions(StepConfig step, Profile profile) {
     profile.cappedVelocities =
         bodies.integratePositions(gathered, step.dt, step.maxTranslation, step.maxRotation);
-    if (settled.length < islands.count) {
-      settled = new boolean[islands.count + (islands.count >> 1)];
-    }
     int[] c = islands.contactStart;
     int[] j = islands.jointStart;
     for (int k = 0; k < islands.count; k++) {
       settled[k] =
           (c[k] == c[k + 1] && j[k] == j[k + 1])
-              || solver.solvePositions(c[k], c[k + 1], j[k], j[k + 1], step);
+              || sequential.solvePositions(c[k], c[k + 1], j[k], j[k + 1], step);
+    }
+  }
+
+  private void solveSubsteps(StepConfig step, Solver solver) {
+    islands.groupBodies();
+    soft.begin();
+    int[] b = islands.bodyStart;
+    int[] c = islands.contactStart;
+    int[] j = islands.jointStart;
+    for (int k = 0; k < islands.count; k++) {
+      if (c[k] == c[k + 1] && j[k] == j[k + 1]) {
+        soft.moveFree(islands.bodies[b[k]], step.dt);
+        settled[k] = true;
+      } else {
+        int n = solver.isAdaptive() ? substepsOf(k, step, solver) : solver.getLeastSubsteps();
+        settled[k] =
+            soft.solve(islands.bodies, b[k], b[k + 1], c[k], c[k + 1], j[k], j[k + 1], step, n);
+        if (solver.isAdaptive() && !soft.jointsSettled()) {
+          keepEffort(k, Math.min(2 * n, solver.getMostSubsteps()), 0);
+        }
+      }
+    }
+  }
+
+  /**
+   * How many substeps an island gets: as many as it needs now, and for a while after as many as it
+   * has needed.
+   */
+  private int substepsOf(int island, StepConfig step, Solver solver) {
+    int[] c = islands.contactStart;
+    int[] j = islands.jointStart;
+    boolean jointed = j[island] < j[island + 1];
+    float now =
+        Math.max(solver.getLeastSubsteps(), effort.ofContacts(c[island], c[island + 1], step));
+    if (jointed) {
+      now = Math.max(now, effort.ofJoints(j[island], j[island + 1], step));
+    }
+    now = Math.min(now, solver.getMostSubsteps());
+    float held = 0f;
+    int age = Integer.MAX_VALUE;
+    for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+      Body b = world.awake.bodies[islands.bodies[i]];
+      held = Math.max(held, b.effort);
+      age = Math.min(age, b.effortAge);
+    }
+    if (now > held || held > solver.getMostSubsteps()) {
+      held = now;
+      age = 0;
+    } else if (now >= EFFORT_FALL * held) {
+      age = 0;
+    } else if (++age > (jointed ? SWING_HELD : PILE_HELD)) {
+      held = Math.max(now, EFFORT_FALL * held);
+      age = 0;
+    }
+    int n = (int) Math.ceil(held);
+    keepEffort(island, n, age);
+    return n;
+  }
+
+  /** Notes how many substeps an island has, and for how long it has needed less. */
+  private void keepEffort(int island, int substeps, int age) {
+    for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+      Body b = world.awake.bodies[islands.bodies[i]];
+      b.effort = substeps;
+      b.effortAge = age;
     }
   }
 

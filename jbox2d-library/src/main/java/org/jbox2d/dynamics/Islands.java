@@ -32,6 +32,11 @@ final class Islands {
   int[] contactStart = new int[65];
   int contactCount;
 
+  /** Slots grouped: those of island k are {@code [bodyStart[k], bodyStart[k + 1])}. */
+  int[] bodies = new int[64];
+
+  int[] bodyStart = new int[65];
+
   /** Whether a fixture of these contacts has a material. */
   boolean materials;
 
@@ -41,6 +46,7 @@ final class Islands {
   int[] jointStart = new int[65];
   int jointCount;
 
+  private int slots;
   private int[] parent = new int[64];
   private Contact[] foundContacts = new Contact[64];
   private int[] foundContactSlot = new int[64];
@@ -71,6 +77,7 @@ final class Islands {
     number(awake.count);
     groupContacts();
     groupJoints();
+    slots = awake.count;
   }
 
   private int initSets(int from, int to) {
@@ -194,6 +201,24 @@ final class Islands {
     sumToEnds(contactStart, count);
     for (int i = contactCount - 1; i >= 0; i--) {
       contacts[--contactStart[islandOf[foundContactSlot[i]]]] = foundContacts[i];
+    }
+  }
+
+  /** Fills in {@link #bodies}, for solvers that need them; counting sort by island, stable. */
+  void groupBodies() {
+    if (bodies.length < slots) {
+      bodies = new int[islandOf.length];
+    }
+    if (bodyStart.length < contactStart.length) {
+      bodyStart = new int[contactStart.length];
+    }
+    Arrays.fill(bodyStart, 0, count + 1, 0);
+    for (int i = 0; i < slots; i++) {
+      bodyStart[islandOf[i]]++;
+    }
+    sumToEnds(bodyStart, count);
+    for (int i = slots - 1; i >= 0; i--) {
+      bodies[--bodyStart[islandOf[i]]] = i;
     }
   }
 

@@ -4,7 +4,6 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
 
 import org.jbox2d.callbacks.ContactImpulse;
 import org.jbox2d.callbacks.ContactListener;
-import org.jbox2d.collision.ManifoldPoint;
 import org.jbox2d.common.Rot;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
@@ -45,16 +44,34 @@ final class SolvedContactReport {
     this.impacts = impacts;
   }
 
-  /** Keeps the velocities as they are now: forces applied, contacts not yet solved. */
-  void keepVelocities() {
+  /**
+   * Keeps the velocities: forces applied, contacts not yet solved.
+   *
+   * @param dt time over which forces are still to be applied, s
+   */
+  void keepVelocities(float dt) {
     int n = SolverBodies.STRIDE * bodies.count;
     if (before.length < n) {
       before = new float[bodies.vel.length];
     }
     System.arraycopy(bodies.vel, 0, before, 0, n);
+    if (dt > 0f) {
+      for (int i = 0; i < bodies.count; i++) {
+        applyForces(i, dt);
+      }
+    }
     kept = bodies.count;
     solved.solve++;
     summed = false;
+  }
+
+  private void applyForces(int slot, float dt) {
+    int o = SolverBodies.STRIDE * slot;
+    float linear = 1f / (1f + dt * bodies.damping[2 * slot]);
+    before[o] = linear * (before[o] + dt * bodies.accel[o]);
+    before[o + 1] = linear * (before[o + 1] + dt * bodies.accel[o + 1]);
+    before[o + 2] =
+        (before[o + 2] + dt * bodies.accel[o + 2]) / (1f + dt * bodies.damping[2 * slot + 1]);
   }
 
   /** Reports the first {@code n} contacts, which are those of the constraints. */
@@ -64,7 +81,7 @@ final class SolvedContactReport {
       Fixture a = c.m_fixtureA;
       Fixture b = c.m_fixtureB;
       if (listener != null) {
-        tell(listener, c);
+        tell(listener, i, c);
       }
       FixtureMaterial materialA = a.m_material;
       FixtureMaterial materialB = b.m_material;
@@ -84,12 +101,15 @@ final class SolvedContactReport {
     solved.contact = null;
   }
 
-  private void tell(ContactListener listener, Contact c) {
+  private void tell(ContactListener listener, int i, Contact c) {
     impulse.count = c.m_manifold.pointCount;
+    int solvedPoints = constraints.pointCount[i];
     for (int j = 0; j < impulse.count; j++) {
-      ManifoldPoint p = c.m_manifold.points[j];
-      impulse.normalImpulses[j] = p.normalImpulse;
-      impulse.tangentImpulses[j] = p.tangentImpulse;
+      int k = V_STRIDE * i + POINT + POINT_STRIDE * j;
+      // A point left out as redundant carries nothing.
+      boolean carries = j < solvedPoints;
+      impulse.normalImpulses[j] = carries ? constraints.vel[k + NORMAL_IMPULSE] : 0f;
+      impulse.tangentImpulses[j] = carries ? constraints.vel[k + TANGENT_IMPULSE] : 0f;
     }
     listener.postSolve(c, impulse);
   }

@@ -69,6 +69,7 @@ public class World {
   private final List<Body> leaving = new ArrayList<>();
   private final List<Object> extensions = new ArrayList<>();
 
+  private Solver solver = Solver.sequentialImpulses();
   private Body bodyList;
   private Joint jointList;
   private int bodyCount;
@@ -141,6 +142,23 @@ public class World {
     profile.end();
   }
 
+  /**
+   * Sets how contacts and joints are solved from the next step on. Impulses that bodies at rest
+   * exert on one another carry over.
+   *
+   * @throws IllegalStateException if the world is locked
+   */
+  public void setSolver(Solver solver) {
+    checkUnlocked("setSolver");
+    Checks.notNull(solver, "solver");
+    this.solver = solver;
+  }
+
+  /** Returns how contacts and joints are solved. */
+  public Solver getSolver() {
+    return solver;
+  }
+
   private void beginStep(float dt, int velocityIterations, int positionIterations) {
     Checks.notNegative(dt, "dt");
     if (velocityIterations < 0 || positionIterations < 0) {
@@ -150,6 +168,7 @@ public class World {
     profile.begin();
     step.dt = dt;
     step.invDt = dt > 0f ? 1f / dt : 0f;
+    step.invStep = step.invDt;
     step.dtRatio = lastInvDt * dt;
     step.velocityIterations = velocityIterations;
     step.positionIterations = positionIterations;
@@ -157,6 +176,14 @@ public class World {
     step.gravityX = gravity.x;
     step.gravityY = gravity.y;
     step.readSettings();
+    step.velocityTime = 0.5f;
+    step.skinShare = 0f;
+    if (!solver.isSequentialImpulses()) {
+      step.velocityTime = 1f;
+      step.skinShare = 0.5f;
+      step.maxTranslation = Float.MAX_VALUE;
+      step.maxRotation = Float.MAX_VALUE;
+    }
   }
 
   /** Contacts for fixtures that are new or have been moved by hand. */
@@ -179,7 +206,7 @@ public class World {
 
   private void solve() {
     profile.solve.start();
-    islandSolver.solve(step, profile);
+    islandSolver.solve(step, solver, profile);
     profile.solve.stop();
   }
 

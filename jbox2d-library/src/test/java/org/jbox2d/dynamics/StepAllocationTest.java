@@ -24,6 +24,16 @@ class StepAllocationTest {
   }
 
   @Test
+  void pyramidWithSubsteps() {
+    for (Solver solver : new Solver[] {Solver.softStep(), Solver.adaptive()}) {
+      World world = Make.pyramid(15);
+      world.setSolver(solver);
+      world.setSleepingAllowed(false);
+      assertNoneAllocated(world, 200, 10);
+    }
+  }
+
+  @Test
   void pileOfDebris() {
     World world = Make.debris(150, 9);
     world.setSleepingAllowed(false);

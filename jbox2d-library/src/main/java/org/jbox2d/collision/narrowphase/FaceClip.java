@@ -82,6 +82,7 @@ final class FaceClip {
     int refEnd = refFace + 1 < refCount ? refFace + 1 : 0;
     int incEnd = incFace + 1 < incCount ? incFace + 1 : 0;
     manifold.pointCount = 0;
+    manifold.corner = false;
 
     if ((uP < 0f && uQ < 0f) || (uP > length && uQ > length)) {
       return addCorner(
@@ -142,6 +143,7 @@ final class FaceClip {
     if (!((nearP ? squaredP : squaredQ) <= radius * radius)) {
       return Float.POSITIVE_INFINITY;
     }
+    manifold.corner = true;
     add(manifold, referenceIsB, nearP ? refEnd : refFace, nearP ? incFace : incEnd)
         .localPoint
         .set(nearP ? p : q);

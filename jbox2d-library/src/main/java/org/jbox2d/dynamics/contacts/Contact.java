@@ -4,6 +4,7 @@ import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.Manifold;
 import org.jbox2d.collision.ManifoldPoint;
 import org.jbox2d.collision.WorldManifold;
+import org.jbox2d.collision.shapes.ShapeType;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Transform;
 import org.jbox2d.dynamics.Body;
@@ -93,6 +94,9 @@ public abstract class Contact {
   /** Engine-internal: see {@link #m_radiusA}. */
   public float m_radiusB;
 
+  /** Engine-internal: sum of the skins that are not the radius of a circle, m. */
+  public float m_skin;
+
   /** Engine-internal: sum of the normal impulses of the last step, N s. */
   public float m_lastImpulse;
 
@@ -114,6 +118,7 @@ public abstract class Contact {
     m_indexA = indexA;
     m_indexB = indexB;
     m_manifold.pointCount = 0;
+    m_manifold.corner = false;
     m_prev = null;
     m_next = null;
     clear(m_nodeA);
@@ -339,6 +344,9 @@ public abstract class Contact {
     evaluate(m, m_fixtureA.m_body.m_xf, m_fixtureB.m_body.m_xf);
     m_radiusA = m_fixtureA.m_shape.m_radius;
     m_radiusB = m_fixtureB.m_shape.m_radius;
+    m_skin =
+        (m_fixtureA.m_shape.m_type == ShapeType.CIRCLE ? 0f : m_radiusA)
+            + (m_fixtureB.m_shape.m_type == ShapeType.CIRCLE ? 0f : m_radiusB);
     for (int i = 0; i < m.pointCount; i++) {
       ManifoldPoint p = m.points[i];
       int key = p.id.getKey();

@@ -65,6 +65,13 @@ public final class Arms {
     f[o + LOCAL_BY] = by;
   }
 
+  /** Returns {@code r w^2} of the arm at {@code o}: A's, or two further B's. */
+  static float bend(float[] f, int o, float w) {
+    float x = f[o + LOCAL_AX];
+    float y = f[o + LOCAL_AY];
+    return w * w * (float) Math.sqrt(x * x + y * y);
+  }
+
   /** Turns the arms to the bodies' angles. */
   static void turn(float[] f, int o, float[] x, int a, int b) {
     f[o + RAX] = x[a + 3] * f[o + LOCAL_AX] - x[a + 2] * f[o + LOCAL_AY];

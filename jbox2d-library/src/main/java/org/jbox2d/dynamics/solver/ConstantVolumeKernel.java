@@ -38,7 +38,7 @@ public final class ConstantVolumeKernel extends JointKernel {
   private static final float MOST_BEND = 0.25f;
 
   ConstantVolumeKernel(int order) {
-    super(order);
+    super(order, IMPULSE, 1);
   }
 
   /** Length of the block of a row with n bodies. */
@@ -65,6 +65,11 @@ public final class ConstantVolumeKernel extends JointKernel {
   /** Returns the gradient of the area by the place of body i along y, m. */
   public static float gradientY(float[] f, int o, int i) {
     return f[o + J + 2 * i + 1];
+  }
+
+  @Override
+  float bend(JointRows rows, int row, SolverBodies bodies) {
+    return 0f;
   }
 
   @Override

@@ -58,6 +58,14 @@ public final class ContactConstraints {
   public static final int K12 = 1;
   public static final int K22 = 2;
 
+  public static final int S_STRIDE = 6;
+
+  // Substep record, for solvers with substeps: separation of each point in the current substep (m),
+  // and its impulses summed over the substeps.
+  public static final int S_SEPARATION = 0;
+  public static final int S_NORMAL_SUM = 2;
+  public static final int S_TANGENT_SUM = 4;
+
   public static final int P_STRIDE = 16;
 
   // Position record. Local points are relative to the centre of mass of their body. CIRCLES: the
@@ -79,6 +87,9 @@ public final class ContactConstraints {
   public static final int P_INV_MASS_B = 12;
   public static final int P_INV_I_B = 13;
 
+  /** Overlap at rest, skins and slop together, for solvers with substeps, m. */
+  public static final int P_REST = 14;
+
   /** Kinds of manifold, as the position kernel tells them apart. */
   public static final int CIRCLES = 0;
 
@@ -89,7 +100,7 @@ public final class ContactConstraints {
   public int[] bodyA = new int[0];
   public int[] bodyB = new int[0];
 
-  /** 1 or 2 points that the velocity kernel solves. */
+  /** 1 or 2 points that the velocity kernel solves; 0 if the contact is left out. */
   public int[] pointCount = new int[0];
 
   /** 1 or 2 points of the manifold; may exceed {@link #pointCount} where the two are redundant. */
@@ -99,6 +110,7 @@ public final class ContactConstraints {
   public float[] vel = new float[0];
   public float[] pos = new float[0];
   public float[] block = new float[0];
+  public float[] sub = new float[0];
 
   public void ensureCapacity(int n) {
     if (n <= bodyA.length) {
@@ -113,5 +125,6 @@ public final class ContactConstraints {
     vel = Arrays.copyOf(vel, V_STRIDE * capacity);
     pos = Arrays.copyOf(pos, P_STRIDE * capacity);
     block = Arrays.copyOf(block, K_STRIDE * capacity);
+    sub = Arrays.copyOf(sub, S_STRIDE * capacity);
   }
 }

@@ -2,6 +2,8 @@ package org.jbox2d.dynamics.solver;
 
 import static org.jbox2d.dynamics.solver.ContactConstraints.*;
 
+import java.util.Arrays;
+
 /**
  * Turns position records into velocity records: world normal, arms, effective masses, restitution.
  *
@@ -26,14 +28,34 @@ public final class ContactPreparation {
   public static void prepare(
       ContactConstraints cc, SolverBodies bodies, int from, int to, float velocityThreshold) {
     for (int i = from; i < to; i++) {
-      if (cc.kind[i] == CIRCLES) {
-        prepareCircles(cc, bodies, i);
-      } else {
-        prepareFace(cc, bodies, i);
-      }
-      writeMasses(cc, i);
+      prepare(cc, bodies, i);
       writeRestitution(cc, bodies, i, velocityThreshold);
     }
+  }
+
+  /**
+   * As {@link #prepare(ContactConstraints, SolverBodies, int, int, float)}, for substeps: {@link
+   * ContactConstraints#BIAS} is the separation of each point.
+   *
+   * @return whether one of them has restitution
+   */
+  static boolean prepareSubsteps(ContactConstraints cc, SolverBodies bodies, int from, int to) {
+    boolean bounces = false;
+    for (int i = from; i < to; i++) {
+      prepare(cc, bodies, i);
+      bounces |= cc.vel[V_STRIDE * i + RESTITUTION] > 0f;
+    }
+    Arrays.fill(cc.sub, S_STRIDE * from, S_STRIDE * to, 0f);
+    return bounces;
+  }
+
+  private static void prepare(ContactConstraints cc, SolverBodies bodies, int i) {
+    if (cc.kind[i] == CIRCLES) {
+      prepareCircles(cc, bodies, i);
+    } else {
+      prepareFace(cc, bodies, i);
+    }
+    writeMasses(cc, i);
   }
 
   private static void prepareCircles(ContactConstraints cc, SolverBodies bodies, int i) {
@@ -61,6 +83,8 @@ public final class ContactPreparation {
     float back = along - length;
     setNormal(cc, i, nx, ny, 1);
     setArms(cc, i, 0, ax + along * nx, ay + along * ny, bx + back * nx, by + back * ny);
+    cc.vel[V_STRIDE * i + POINT + BIAS] =
+        length - p[po + RADIUS_A] - p[po + RADIUS_B] + p[po + P_REST];
   }
 
   private static void prepareFace(ContactConstraints cc, SolverBodies bodies, int i) {
@@ -101,6 +125,8 @@ public final class ContactPreparation {
       } else {
         setArms(cc, i, j, rOx, rOy, rOx + dx, rOy + dy);
       }
+      cc.vel[V_STRIDE * i + POINT + POINT_STRIDE * j + BIAS] =
+          height - radiusR - radiusO + p[po + P_REST];
     }
   }
 

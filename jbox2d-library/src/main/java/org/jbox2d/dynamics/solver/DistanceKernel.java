@@ -35,7 +35,7 @@ public final class DistanceKernel extends JointKernel {
   private static final int INV_LENGTH = 23;
 
   DistanceKernel(int order) {
-    super(order);
+    super(order, IMPULSE, 1);
   }
 
   /**
@@ -64,6 +64,16 @@ public final class DistanceKernel extends JointKernel {
   /** Returns the direction from A to B along y. */
   public static float axisY(float[] f, int o) {
     return f[o + UY];
+  }
+
+  @Override
+  void keepVelocities(JointRows rows, int from, int to, SolverBodies bodies) {
+    for (int r = from; r < to; r++) {
+      int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
+      int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
+      System.arraycopy(bodies.vel, a, rows.f, rows.floatAt[r] + BEFORE, 3);
+      System.arraycopy(bodies.vel, b, rows.f, rows.floatAt[r] + BEFORE + 3, 3);
+    }
   }
 
   @Override

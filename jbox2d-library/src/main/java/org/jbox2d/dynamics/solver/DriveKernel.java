@@ -41,8 +41,11 @@ public final class DriveKernel extends JointKernel {
   private static final int BIAS_Y = 20;
   private static final int BIAS_TURN = 21;
 
+  /** Enough for shares up to 0.999; each beyond the first few doubles the digits. */
+  private static final int ROOT_ITERATIONS = 8;
+
   DriveKernel(int order) {
-    super(order);
+    super(order, IMPULSE_X, 3);
   }
 
   /**
@@ -100,7 +103,7 @@ public final class DriveKernel extends JointKernel {
       Arms.invert(f, o, o + M11, m, a, b);
       float k = m[a + 1] + m[b + 1];
       f[o + ANGLE_MASS] = k > 0f ? 1f / k : 0f;
-      float rate = f[o + CORRECTION] * step.invDt;
+      float rate = share(f[o + CORRECTION], step) * step.invDt;
       f[o + BIAS_X] = rate * dx;
       f[o + BIAS_Y] = rate * dy;
       f[o + BIAS_TURN] = rate * (bodies.angle[slotB] - bodies.angle[slotA] - f[o + OFFSET]);
@@ -109,6 +112,27 @@ public final class DriveKernel extends JointKernel {
       f[o + TURN_IMPULSE] *= keep;
       Arms.push(f, o, bodies.vel, m, a, b, f[o + IMPULSE_X], f[o + IMPULSE_Y], f[o + TURN_IMPULSE]);
     }
+  }
+
+  /**
+   * Share of the error to be removed in this step, which may be one of n substeps: {@code 1 - (1 -
+   * c)^(1/n)}, the root by Newton's iteration from above, where it converges monotonically.
+   */
+  private static float share(float ofStep, StepConfig step) {
+    int n = Math.round(step.invDt / step.invStep);
+    if (n == 1 || ofStep == 0f || ofStep == 1f) {
+      return ofStep;
+    }
+    float left = 1f - ofStep;
+    float root = 1f;
+    for (int i = 0; i < ROOT_ITERATIONS; i++) {
+      float power = 1f;
+      for (int k = 1; k < n; k++) {
+        power *= root;
+      }
+      root -= (power * root - left) / (n * power);
+    }
+    return 1f - root;
   }
 
   @Override

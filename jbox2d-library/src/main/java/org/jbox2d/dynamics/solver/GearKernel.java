@@ -50,7 +50,7 @@ public final class GearKernel extends JointKernel {
   public static final int BODIES = 4;
 
   GearKernel(int order) {
-    super(order);
+    super(order, IMPULSE, 1);
   }
 
   /**
@@ -105,6 +105,11 @@ public final class GearKernel extends JointKernel {
   /** Returns the gradient of C by the angle of the second moving body. */
   public static float gradientTurn(float[] f, int o) {
     return f[o + J + 5];
+  }
+
+  @Override
+  float bend(JointRows rows, int row, SolverBodies bodies) {
+    return 0f;
   }
 
   @Override

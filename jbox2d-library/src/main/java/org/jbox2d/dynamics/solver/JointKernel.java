@@ -7,18 +7,56 @@ package org.jbox2d.dynamics.solver;
  */
 public abstract class JointKernel {
   private final int order;
+  private final int firstImpulse;
+  private final int impulses;
 
   /**
    * @param order place among the kernels: rows of an island are solved in this order
+   * @param firstImpulse place in a row's block of the impulses kept from step to step
+   * @param impulses how many there are
    */
-  protected JointKernel(int order) {
+  protected JointKernel(int order, int firstImpulse, int impulses) {
     this.order = order;
+    this.firstImpulse = firstImpulse;
+    this.impulses = impulses;
   }
 
   /** Place among the kernels. */
   public final int order() {
     return order;
   }
+
+  /** Multiplies the impulses of rows {@code [from, to)}: from those of a substep to a step's. */
+  final void scaleImpulses(JointRows rows, int from, int to, float factor) {
+    for (int r = from; r < to; r++) {
+      int o = rows.floatAt[r] + firstImpulse;
+      for (int i = 0; i < impulses; i++) {
+        rows.f[o + i] *= factor;
+      }
+    }
+  }
+
+  /** Returns the largest of a row's first two kept impulses: those of a point, if it holds one. */
+  final float load(JointRows rows, int row) {
+    int o = rows.floatAt[row] + firstImpulse;
+    float first = Math.abs(rows.f[o]);
+    return impulses > 1 ? Math.max(first, Math.abs(rows.f[o + 1])) : first;
+  }
+
+  /** Returns the largest {@code r w^2} of a row's arms, m/s^2; 0 for a row without arms. */
+  float bend(JointRows rows, int row, SolverBodies bodies) {
+    int o = rows.floatAt[row];
+    int at = rows.bodyAt[row];
+    return Math.max(
+        Arms.bend(rows.f, o, bodies.vel[SolverBodies.STRIDE * rows.bodies[at] + 2]),
+        Arms.bend(rows.f, o + 2, bodies.vel[SolverBodies.STRIDE * rows.bodies[at + 1] + 2]));
+  }
+
+  /**
+   * Takes the bodies' velocities as those before the forces of a substep, where a kernel needs
+   * them. For a whole step they are written when the row is gathered.
+   */
+  void keepVelocities(JointRows rows, int from, int to, SolverBodies bodies) {}
 
   /**
    * Computes arms and effective masses from the positions, and applies the impulses kept from the

@@ -74,4 +74,14 @@ public final class JointRows {
     bodies[bodyAt[row] + 1] = slotB;
     return row;
   }
+
+  /** Returns the end of the rows from {@code r} on, below {@code limit}, that share its kernel. */
+  int endOfRun(int r, int limit) {
+    JointKernel k = kernel[r];
+    int end = r + 1;
+    while (end < limit && kernel[end] == k) {
+      end++;
+    }
+    return end;
+  }
 }

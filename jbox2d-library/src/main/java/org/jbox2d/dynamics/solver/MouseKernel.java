@@ -47,7 +47,7 @@ public final class MouseKernel extends JointKernel {
   private static final float SPIN_KEPT = 0.98f;
 
   MouseKernel(int order) {
-    super(order);
+    super(order, IMPULSE_X, 2);
   }
 
   /**
@@ -89,6 +89,11 @@ public final class MouseKernel extends JointKernel {
   /** Returns the impulse on the body along y, N s. */
   public static float impulseY(float[] f, int o) {
     return f[o + IMPULSE_Y];
+  }
+
+  @Override
+  float bend(JointRows rows, int row, SolverBodies bodies) {
+    return 0f;
   }
 
   @Override

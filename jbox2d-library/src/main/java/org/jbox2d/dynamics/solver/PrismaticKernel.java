@@ -61,7 +61,7 @@ public final class PrismaticKernel extends JointKernel {
   private static final int UPPER_ROOM = 33;
 
   PrismaticKernel(int order) {
-    super(order);
+    super(order, ACROSS_IMPULSE, 5);
   }
 
   /** Fills in the axis, a unit vector in A's frame, and the reference angle, rad. */

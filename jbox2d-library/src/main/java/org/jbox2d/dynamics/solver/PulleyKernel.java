@@ -36,7 +36,7 @@ public final class PulleyKernel extends JointKernel {
   private static final int MASS = 21;
 
   PulleyKernel(int order) {
-    super(order);
+    super(order, IMPULSE, 1);
   }
 
   /** Fills in the fixed points, m. */

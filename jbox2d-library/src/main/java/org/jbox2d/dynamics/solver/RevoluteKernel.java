@@ -62,7 +62,7 @@ public final class RevoluteKernel extends JointKernel {
   private static final float LEAST_TURN = 1e-5f;
 
   RevoluteKernel(int order) {
-    super(order);
+    super(order, IMPULSE_X, 5);
   }
 
   /** Fills in the angle of a row: rad, rad. */

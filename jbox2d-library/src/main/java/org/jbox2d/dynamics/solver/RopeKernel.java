@@ -28,7 +28,7 @@ public final class RopeKernel extends JointKernel {
   private static final int INV_LENGTH = 15;
 
   RopeKernel(int order) {
-    super(order);
+    super(order, IMPULSE, 1);
   }
 
   /** Fills in a row's block behind its {@link Arms}. */

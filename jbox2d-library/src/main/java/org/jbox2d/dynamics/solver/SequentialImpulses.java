@@ -29,7 +29,7 @@ public final class SequentialImpulses {
       ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
     }
     for (int r = j0; r < j1; ) {
-      int end = endOfRun(r, j1);
+      int end = joints.endOfRun(r, j1);
       joints.kernel[r].prepare(joints, r, end, bodies, step);
       r = end;
     }
@@ -39,7 +39,7 @@ public final class SequentialImpulses {
   public void solveVelocities(int c0, int c1, int j0, int j1, StepConfig step) {
     for (int n = 0; n < step.velocityIterations; n++) {
       for (int r = j0; r < j1; ) {
-        int end = endOfRun(r, j1);
+        int end = joints.endOfRun(r, j1);
         joints.kernel[r].solveVelocity(joints, r, end, bodies, step);
         r = end;
       }
@@ -59,7 +59,7 @@ public final class SequentialImpulses {
               contacts, bodies, c0, c1, step.baumgarte, step.linearSlop, step.maxLinearCorrection);
       boolean done = least >= -ACCEPTED_SLOPS * step.linearSlop;
       for (int r = j0; r < j1; ) {
-        int end = endOfRun(r, j1);
+        int end = joints.endOfRun(r, j1);
         done &= joints.kernel[r].solvePosition(joints, r, end, bodies, step);
         r = end;
       }
@@ -68,14 +68,5 @@ public final class SequentialImpulses {
       }
     }
     return false;
-  }
-
-  private int endOfRun(int r, int limit) {
-    JointKernel k = joints.kernel[r];
-    int end = r + 1;
-    while (end < limit && joints.kernel[end] == k) {
-      end++;
-    }
-    return end;
   }
 }

@@ -11,6 +11,11 @@ import org.jbox2d.common.MathUtils;
  *   <li>{@code vel[4i..]}: linear velocity x, y (m/s), angular velocity (rad/s), unused
  *   <li>{@code pos[4i..]}: centre of mass x, y (m), sine and cosine of the angle
  *   <li>{@code angle[i]}: angle (rad), unbounded
+ *   <li>{@code accel[4i..]}: acceleration by gravity and forces x, y (m/s^2), angular (rad/s^2),
+ *       unused; for solvers with substeps
+ *   <li>{@code damping[2i..]}: linear and angular damping (1/s); for solvers with substeps
+ *   <li>{@code delta[4i..]}: way since the step began x, y (m), turn (rad), unused; for solvers
+ *       with substeps
  *   <li>{@code mass[4i..]}: inverse mass (1/kg), inverse inertia about the centre (1/(kg m^2)),
  *       local centre x, y (m)
  * </ul>
@@ -35,6 +40,9 @@ public final class SolverBodies {
   public float[] pos = new float[0];
   public float[] mass = new float[0];
   public float[] angle = new float[0];
+  public float[] accel = new float[0];
+  public float[] damping = new float[0];
+  public float[] delta = new float[0];
 
   /** Makes room for {@code n} bodies; keeps what the first {@link #count} hold. */
   public void ensureCapacity(int n) {
@@ -46,6 +54,9 @@ public final class SolverBodies {
     pos = Arrays.copyOf(pos, STRIDE * capacity);
     mass = Arrays.copyOf(mass, STRIDE * capacity);
     angle = Arrays.copyOf(angle, capacity);
+    accel = Arrays.copyOf(accel, STRIDE * capacity);
+    damping = Arrays.copyOf(damping, 2 * capacity);
+    delta = Arrays.copyOf(delta, STRIDE * capacity);
   }
 
   /**
@@ -77,13 +88,18 @@ public final class SolverBodies {
       }
       pos[o] += vx * dt;
       pos[o + 1] += vy * dt;
-      if (Math.abs(w * dt) > SMALL_TURN) {
-        setAngle(i, angle[i] + w * dt);
-      } else if (w != 0f) {
-        turn(i, w * dt);
-      }
+      swing(i, w * dt);
     }
     return capped;
+  }
+
+  /** Turns a body by what its angular velocity brings in a step; see {@link #SMALL_TURN}. */
+  void swing(int i, float da) {
+    if (Math.abs(da) > SMALL_TURN) {
+      setAngle(i, angle[i] + da);
+    } else if (da != 0f) {
+      turn(i, da);
+    }
   }
 
   /** Sets the angle of a body and its sine and cosine. */

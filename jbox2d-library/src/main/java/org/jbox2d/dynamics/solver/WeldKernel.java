@@ -44,7 +44,7 @@ public final class WeldKernel extends JointKernel {
   private static final int BIAS = 22;
 
   WeldKernel(int order) {
-    super(order);
+    super(order, IMPULSE_X, 3);
   }
 
   /**
@@ -81,6 +81,15 @@ public final class WeldKernel extends JointKernel {
   /** Returns the angular impulse on body B, N m s. */
   public static float turnImpulse(float[] f, int o) {
     return f[o + TURN_IMPULSE];
+  }
+
+  @Override
+  void keepVelocities(JointRows rows, int from, int to, SolverBodies bodies) {
+    for (int r = from; r < to; r++) {
+      int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
+      int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
+      rows.f[rows.floatAt[r] + SPIN_BEFORE] = bodies.vel[b + 2] - bodies.vel[a + 2];
+    }
   }
 
   @Override

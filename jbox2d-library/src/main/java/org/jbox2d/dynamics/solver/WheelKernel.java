@@ -48,7 +48,7 @@ public final class WheelKernel extends JointKernel {
   private static final int MOTOR_MASS = 34;
 
   WheelKernel(int order) {
-    super(order);
+    super(order, ACROSS_IMPULSE, 3);
   }
 
   /** Fills in the axis, a unit vector in A's frame, and the spring along it. */
@@ -97,6 +97,16 @@ public final class WheelKernel extends JointKernel {
   /** Returns the axis along y in the last step. */
   public static float axisY(float[] f, int o) {
     return f[o + AY];
+  }
+
+  @Override
+  void keepVelocities(JointRows rows, int from, int to, SolverBodies bodies) {
+    for (int r = from; r < to; r++) {
+      int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
+      int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
+      System.arraycopy(bodies.vel, a, rows.f, rows.floatAt[r] + BEFORE, 3);
+      System.arraycopy(bodies.vel, b, rows.f, rows.floatAt[r] + BEFORE + 3, 3);
+    }
   }
 
   @Override

@@ -1,0 +1,274 @@
+package org.jbox2d.dynamics.solver;
+
+import static org.jbox2d.dynamics.solver.ContactConstraints.*;
+
+/**
+ * Substeps with soft contacts: instead of many iterations over a long step, one over each of many
+ * short ones, whose errors fall with the square of their length (Macklin, Storey, Lu, Terdiman,
+ * Chentanez, Jeschke, Mueller, "Small steps in physics simulation", SCA 2019). Contacts are found
+ * once a step, their normals and arms are those of its start; joints are placed anew in each
+ * substep.
+ *
+ * <p>Stages of an island: impacts ({@link BounceKernel}); then in each substep forces, kept
+ * impulses, joints, contacts pushed ({@link SoftContactKernel}), bodies moved, joints and contacts
+ * relaxed, positions of the joints corrected. Impulses are kept from one substep to the next.
+ *
+ * <p>Joints follow their curved paths within a substep (see {@link Arms}) rather than leave them
+ * along the tangent and be drawn back by a spring: that loses no energy, needs no stiffness to be
+ * chosen, and costs one position pass.
+ */
+public final class SoftStep {
+  /**
+   * Frequency of contacts, as a share of the rate of substeps. A spring is followed well up to
+   * about an eighth of the rate; being strongly damped, a quarter will do. The more substeps, the
+   * stiffer: a heavy body sinks into a light one by a way that falls with their number.
+   */
+  private static final float CONTACT_SHARE = 0.25f;
+
+  /** Far above critical: overlap creeps away and does not spring. */
+  private static final float CONTACT_DAMPING = 10f;
+
+  /**
+   * Largest share of overlap that is removed in a second, 1/s: what four substeps at 60 steps a
+   * second and the damping above come to. Removed faster, a pile that was made with overlap jumps.
+   */
+  private static final float MOST_RATE = 20f;
+
+  /** Largest speed at which overlap is removed, m/s. */
+  private static final float MOST_PUSH = 3f;
+
+  private final SolverBodies bodies;
+  private final ContactConstraints contacts;
+  private final JointRows joints;
+  private final SoftContactKernel contactKernel = new SoftContactKernel();
+  private final StepConfig sub = new StepConfig();
+
+  private boolean jointsSettled;
+
+  /** Places where bodies were when the step began: x, y, angle, unused. */
+  private float[] start = new float[0];
+
+  public SoftStep(SolverBodies bodies, ContactConstraints contacts, JointRows joints) {
+    this.bodies = bodies;
+    this.contacts = contacts;
+    this.joints = joints;
+  }
+
+  /** Begins a step: the bodies have been gathered. */
+  public void begin() {
+    int n = bodies.count;
+    if (start.length < SolverBodies.STRIDE * n) {
+      start = new float[bodies.pos.length];
+    }
+    for (int i = 0; i < n; i++) {
+      int o = SolverBodies.STRIDE * i;
+      start[o] = bodies.pos[o];
+      start[o + 1] = bodies.pos[o + 1];
+      start[o + 2] = bodies.angle[i];
+      bodies.delta[o] = 0f;
+      bodies.delta[o + 1] = 0f;
+      bodies.delta[o + 2] = 0f;
+    }
+  }
+
+  /**
+   * Moves a body that nothing acts on but forces: its velocity by implicit damping, its place by
+   * the mean of both velocities, which is exact for constant forces.
+   */
+  public void moveFree(int slot, float dt) {
+    int o = SolverBodies.STRIDE * slot;
+    float[] v = bodies.vel;
+    float vx = v[o];
+    float vy = v[o + 1];
+    float w = v[o + 2];
+    accelerate(slot, dt);
+    bodies.delta[o] = 0.5f * dt * (vx + v[o]);
+    bodies.delta[o + 1] = 0.5f * dt * (vy + v[o + 1]);
+    bodies.delta[o + 2] = 0.5f * dt * (w + v[o + 2]);
+    place(slot);
+  }
+
+  /**
+   * Solves an island: bodies {@code slots[b0, b1)}, contacts {@code [c0, c1)}, joints {@code [j0,
+   * j1)}.
+   *
+   * @return whether it ended within tolerance
+   */
+  public boolean solve(
+      int[] slots, int b0, int b1, int c0, int c1, int j0, int j1, StepConfig step, int substeps) {
+    prepareContacts(c0, c1, step, substeps);
+    for (int n = 0; n < substeps; n++) {
+      if (j0 < j1) {
+        prepareJoints(j0, j1, slots, b0, b1);
+      } else {
+        accelerate(slots, b0, b1);
+      }
+      ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
+      solveJoints(j0, j1);
+      contactKernel.push(contacts, bodies, c0, c1);
+      move(slots, b0, b1, j0 < j1);
+      solveJoints(j0, j1);
+      contactKernel.relax(contacts, bodies, c0, c1);
+      jointsSettled = correctJoints(j0, j1, slots, b0, b1);
+      sub.next();
+    }
+    end(slots, b0, b1, c0, c1, j0, j1, substeps);
+    return jointsSettled && contactKernel.settled();
+  }
+
+  /** Whether the joints of the last island ended within tolerance. */
+  public boolean jointsSettled() {
+    return jointsSettled;
+  }
+
+  // --- Contacts ---
+
+  private void prepareContacts(int c0, int c1, StepConfig step, int substeps) {
+    sub.divide(step, substeps);
+    float frequency = CONTACT_SHARE * sub.invDt;
+    contactKernel.set(sub.dt, frequency, CONTACT_DAMPING, MOST_RATE, MOST_PUSH, sub.linearSlop);
+    if (ContactPreparation.prepareSubsteps(contacts, bodies, c0, c1)) {
+      BounceKernel.solve(contacts, bodies, c0, c1, sub.velocityThreshold, step.dt);
+    }
+    float[] d = contacts.vel;
+    float share = 1f / substeps;
+    for (int i = c0; i < c1; i++) {
+      scaleImpulses(d, V_STRIDE * i + POINT, share);
+      scaleImpulses(d, V_STRIDE * i + POINT + POINT_STRIDE, share);
+    }
+  }
+
+  private static void scaleImpulses(float[] d, int o, float factor) {
+    d[o + NORMAL_IMPULSE] *= factor;
+    d[o + TANGENT_IMPULSE] *= factor;
+  }
+
+  // --- Bodies ---
+
+  private void accelerate(int[] slots, int b0, int b1) {
+    for (int k = b0; k < b1; k++) {
+      accelerate(slots[k], sub.dt);
+    }
+  }
+
+  private void accelerate(int slot, float h) {
+    float[] v = bodies.vel;
+    float[] a = bodies.accel;
+    int o = SolverBodies.STRIDE * slot;
+    float linear = bodies.damping[2 * slot];
+    float angular = bodies.damping[2 * slot + 1];
+    v[o] += h * a[o];
+    v[o + 1] += h * a[o + 1];
+    v[o + 2] += h * a[o + 2];
+    if (linear != 0f) {
+      float share = 1f / (1f + h * linear);
+      v[o] *= share;
+      v[o + 1] *= share;
+    }
+    if (angular != 0f) {
+      v[o + 2] /= 1f + h * angular;
+    }
+  }
+
+  private void move(int[] slots, int b0, int b1, boolean jointed) {
+    float[] v = bodies.vel;
+    float[] x = bodies.delta;
+    float h = sub.dt;
+    for (int k = b0; k < b1; k++) {
+      int o = SolverBodies.STRIDE * slots[k];
+      x[o] += h * v[o];
+      x[o + 1] += h * v[o + 1];
+      x[o + 2] += h * v[o + 2];
+      if (jointed) {
+        bodies.pos[o] = start[o] + x[o];
+        bodies.pos[o + 1] = start[o + 1] + x[o + 1];
+        bodies.swing(slots[k], h * v[o + 2]);
+      }
+    }
+  }
+
+  /** Places a body where its way has led; sine and cosine are taken when it is scattered. */
+  private void place(int slot) {
+    int o = SolverBodies.STRIDE * slot;
+    bodies.pos[o] = start[o] + bodies.delta[o];
+    bodies.pos[o + 1] = start[o + 1] + bodies.delta[o + 1];
+    bodies.angle[slot] = start[o + 2] + bodies.delta[o + 2];
+  }
+
+  // --- Joints ---
+
+  private void prepareJoints(int j0, int j1, int[] slots, int b0, int b1) {
+    for (int r = j0; r < j1; ) {
+      int end = joints.endOfRun(r, j1);
+      joints.kernel[r].keepVelocities(joints, r, end, bodies);
+      r = end;
+    }
+    accelerate(slots, b0, b1);
+    for (int r = j0; r < j1; ) {
+      int end = joints.endOfRun(r, j1);
+      joints.kernel[r].prepare(joints, r, end, bodies, sub);
+      r = end;
+    }
+  }
+
+  private void solveJoints(int j0, int j1) {
+    for (int r = j0; r < j1; ) {
+      int end = joints.endOfRun(r, j1);
+      joints.kernel[r].solveVelocity(joints, r, end, bodies, sub);
+      r = end;
+    }
+  }
+
+  private boolean correctJoints(int j0, int j1, int[] slots, int b0, int b1) {
+    if (j0 == j1) {
+      return true;
+    }
+    boolean done = true;
+    for (int r = j0; r < j1; ) {
+      int end = joints.endOfRun(r, j1);
+      done &= joints.kernel[r].solvePosition(joints, r, end, bodies, sub);
+      r = end;
+    }
+    for (int k = b0; k < b1; k++) {
+      int o = SolverBodies.STRIDE * slots[k];
+      bodies.delta[o] = bodies.pos[o] - start[o];
+      bodies.delta[o + 1] = bodies.pos[o + 1] - start[o + 1];
+      bodies.delta[o + 2] = bodies.angle[slots[k]] - start[o + 2];
+    }
+    return done;
+  }
+
+  // --- End ---
+
+  private void end(int[] slots, int b0, int b1, int c0, int c1, int j0, int j1, int substeps) {
+    if (j0 == j1) {
+      for (int k = b0; k < b1; k++) {
+        place(slots[k]);
+      }
+    }
+    for (int r = j0; r < j1; ) {
+      int end = joints.endOfRun(r, j1);
+      joints.kernel[r].scaleImpulses(joints, r, end, substeps);
+      r = end;
+    }
+    float[] d = contacts.vel;
+    for (int i = c0; i < c1; i++) {
+      scaleImpulses(d, V_STRIDE * i + POINT, substeps);
+      scaleImpulses(d, V_STRIDE * i + POINT + POINT_STRIDE, substeps);
+    }
+  }
+
+  /**
+   * Replaces the impulses of contacts {@code [0, n)}, which are those of the last substep as if all
+   * were like it, by what was given in all of the step.
+   */
+  public void sumImpulses(int n) {
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j < contacts.pointCount[i]; j++) {
+        int o = V_STRIDE * i + POINT + POINT_STRIDE * j;
+        contacts.vel[o + NORMAL_IMPULSE] = contacts.sub[S_STRIDE * i + S_NORMAL_SUM + j];
+        contacts.vel[o + TANGENT_IMPULSE] = contacts.sub[S_STRIDE * i + S_TANGENT_SUM + j];
+      }
+    }
+  }
+}
