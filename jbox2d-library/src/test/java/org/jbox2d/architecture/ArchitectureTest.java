@@ -1,5 +1,6 @@
 package org.jbox2d.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
@@ -10,6 +11,8 @@ import com.tngtech.archunit.core.importer.Location;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+import java.util.Random;
+import java.util.Set;
 
 /**
  * The directions of dependency between the packages of the library.
@@ -25,6 +28,33 @@ import com.tngtech.archunit.lang.ArchRule;
       ArchitectureTest.DoNotIncludeUpstream.class
     })
 class ArchitectureTest {
+  private static final Set<String> DIFFERING =
+      Set.of(
+          "java.lang.Math.acos",
+          "java.lang.Math.asin",
+          "java.lang.Math.atan",
+          "java.lang.Math.atan2",
+          "java.lang.Math.cbrt",
+          "java.lang.Math.cos",
+          "java.lang.Math.cosh",
+          "java.lang.Math.exp",
+          "java.lang.Math.expm1",
+          "java.lang.Math.hypot",
+          "java.lang.Math.log",
+          "java.lang.Math.log10",
+          "java.lang.Math.log1p",
+          "java.lang.Math.pow",
+          "java.lang.Math.random",
+          "java.lang.Math.sin",
+          "java.lang.Math.sinh",
+          "java.lang.Math.tan",
+          "java.lang.Math.tanh",
+          "java.lang.System.identityHashCode",
+          "java.util.UUID.randomUUID",
+          "java.util.concurrent.ThreadLocalRandom.current");
+
+  private static final String RANDOM_FLOAT = "org.jbox2d.common.MathUtils.randomFloat";
+
   private static final String[] JDK = {"java.."};
 
   /** JBox2D's own testbed and serializer, on the class path of the tests, are not ours. */
@@ -110,6 +140,24 @@ class ArchitectureTest {
           .doNotHaveFullyQualifiedName("org.jbox2d.collision.TimeOfImpact")
           .should()
           .haveModifier(JavaModifier.FINAL);
+
+  /**
+   * Virtual machines may round these differently; {@code randomFloat} is JBox2D's, and the engine
+   * has no use for it.
+   */
+  @ArchTest
+  static final ArchRule nothingThatDiffersBetweenMachines =
+      noClasses()
+          .should()
+          .callMethodWhere(
+              describe(
+                  "mathematics of the platform, randomness and identities",
+                  call ->
+                      !call.getOrigin().getFullName().startsWith(RANDOM_FLOAT)
+                          && DIFFERING.contains(
+                              call.getTargetOwner().getName() + "." + call.getName())))
+          .orShould()
+          .callConstructor(Random.class);
 
   private static String[] with(String... packages) {
     String[] all = new String[packages.length + JDK.length];
