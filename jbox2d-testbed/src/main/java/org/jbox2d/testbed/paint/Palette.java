@@ -16,6 +16,9 @@ public enum Palette {
   private static final int UNIFORM = 0xe0a458;
   private static final int DIFFUSION = 0xd9765f;
   private static final int GLASS = 0x6fc3cf;
+  private static final int RADIAL = 0x8f9fe0;
+  private static final int SPLINTERS = 0xb98a5a;
+  private static final int BRICKS = 0xc4574d;
   private static final int OTHER_MATERIAL = 0xa3be6c;
 
   /** How much the brightness of bodies of one kind differs, so that neighbours can be told. */
@@ -91,6 +94,9 @@ public enum Palette {
       case "Uniform" -> UNIFORM;
       case "Diffusion" -> DIFFUSION;
       case "Glass" -> GLASS;
+      case "Radial" -> RADIAL;
+      case "Splinters" -> SPLINTERS;
+      case "Bricks" -> BRICKS;
       default -> OTHER_MATERIAL;
     };
   }

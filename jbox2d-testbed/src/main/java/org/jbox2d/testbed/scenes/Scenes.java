@@ -20,7 +20,9 @@ public final class Scenes {
   private static List<Scene> collect() {
     List<Scene> scenes = new ArrayList<>(ThesisScenes.all());
     scenes.addAll(BreakingScenes.all());
+    scenes.addAll(DisasterScenes.all());
     scenes.addAll(ClassicScenes.all());
+    scenes.addAll(MachineScenes.all());
     return Collections.unmodifiableList(scenes);
   }
 

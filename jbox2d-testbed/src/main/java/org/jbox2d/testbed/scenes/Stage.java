@@ -10,6 +10,7 @@ import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.joints.RevoluteJointDef;
 import org.jbox2d.fracture.Material;
+import org.jbox2d.fracture.PolygonFixture;
 
 /**
  * What scenes are put together from: a world, the static box around it, and bodies of one box or
@@ -125,6 +126,42 @@ final class Stage {
     RevoluteJointDef def = new RevoluteJointDef();
     def.initialize(a, b, new Vec2(x, y));
     world.createJoint(def);
+  }
+
+  /** A hinge that bends no further than the given angles, radians. */
+  void hinge(Body a, Body b, float x, float y, float least, float most) {
+    RevoluteJointDef def = new RevoluteJointDef();
+    def.initialize(a, b, new Vec2(x, y));
+    def.enableLimit = true;
+    def.lowerAngle = least;
+    def.upperAngle = most;
+    world.createJoint(def);
+  }
+
+  /** A dynamic box that is turned by an angle, radians. */
+  Body tilted(
+      float x, float y, float angle, float halfWidth, float halfHeight, FixtureDef substance) {
+    Body body = box(x, y, halfWidth, halfHeight, substance);
+    body.setTransform(new Vec2(x, y), angle);
+    return body;
+  }
+
+  /** A static convex polygon without mass. */
+  Body scenery(Vec2... outline) {
+    PolygonShape shape = new PolygonShape();
+    shape.set(outline, outline.length);
+    Body body = body(BodyType.STATIC, 0f, 0f, 0f);
+    FixtureDef substance = substance(0f, FRICTION, null);
+    substance.shape = shape;
+    body.createFixture(substance);
+    return body;
+  }
+
+  /** A dynamic body of any outline. */
+  Body whole(float x, float y, float angle, PolygonFixture outline, FixtureDef substance) {
+    Body body = body(BodyType.DYNAMIC, x, y, angle);
+    body.createFixture(substance, outline);
+    return body;
   }
 
   /** A body without fixtures. */

@@ -12,6 +12,8 @@ import org.jbox2d.fracture.PolygonFixture;
 import org.jbox2d.fracture.materials.Diffusion;
 import org.jbox2d.fracture.materials.Glass;
 import org.jbox2d.fracture.materials.Uniform;
+import org.jbox2d.testbed.parameters.Parameter;
+import org.jbox2d.testbed.parameters.Values;
 
 /**
  * The scenes of the thesis (appendix B) that need no particles, with its sizes, speeds and
@@ -22,6 +24,15 @@ final class ThesisScenes {
   private static final float BULLET_SPEED = 100f;
   private static final float ROUGH = 0.5f;
 
+  private static final Parameter SPEED = SceneParameters.speed(BULLET_SPEED);
+  private static final Parameter DENSITY = SceneParameters.density(5);
+  private static final Parameter SIZE =
+      SceneParameters.real("size", "m", 1, 10, 5, "Half the width of the box.");
+  private static final Parameter HEIGHT =
+      SceneParameters.real("height", "m", 4, 50, 10, "How high it falls from.");
+  private static final Parameter SPIN =
+      SceneParameters.real("spin", "rad/s", -30, 30, 10, "How fast the beam turns.");
+
   private ThesisScenes() {}
 
   static List<Scene> all() {
@@ -30,21 +41,28 @@ final class ThesisScenes {
                 "main",
                 "Main scene",
                 "A heavy disc at 100 m/s shatters a box of uniform material.",
-                ThesisScenes::main)
+                ThesisScenes::main,
+                SPEED,
+                DENSITY,
+                SIZE)
             .at(HZ),
-        Scene.of("cube", "Cube", "A tilted box falls and chips.", ThesisScenes::cube).at(HZ),
-        Scene.of("circle", "Circle", "A disc falls and breaks.", ThesisScenes::circle).at(HZ),
+        Scene.of("cube", "Cube", "A tilted box falls and chips.", ThesisScenes::cube, HEIGHT)
+            .at(HZ),
+        Scene.of("circle", "Circle", "A disc falls and breaks.", ThesisScenes::circle, HEIGHT)
+            .at(HZ),
         Scene.of(
                 "rotated-body",
                 "Rotated body",
                 "A spinning beam breaks where it strikes the floor.",
-                ThesisScenes::rotatedBody)
+                ThesisScenes::rotatedBody,
+                SPIN)
             .at(HZ),
         Scene.of(
                 "static-body",
                 "Static body",
                 "A disc breaks the head of a static, concave body; the rest stays.",
-                ThesisScenes::staticBody)
+                ThesisScenes::staticBody,
+                SPEED)
             .at(HZ),
         material(
             "uniform", "Uniform", "the size of splinters is the same everywhere", Uniform::new),
@@ -56,33 +74,37 @@ final class ThesisScenes {
         material("glass", "Glass", "cracks run in rings about the impact", Glass::new));
   }
 
-  private static void main(World world) {
+  private static Script main(World world, Values values) {
     Stage stage = Stage.inBox(world);
-    stage.box(0f, 5f, 5f, 5f, Stage.breakable(Stage.tuned(new Uniform(), 40f, 3f)));
-    stage.shot(-30f, 5.3f, 1f, 5f, BULLET_SPEED, 0f);
+    float half = values.real(SIZE);
+    stage.box(0f, half, half, half, Stage.breakable(Stage.tuned(new Uniform(), 40f, 3f)));
+    stage.shot(-30f, 5.3f, 1f, values.real(DENSITY), values.real(SPEED), 0f);
+    return Script.NONE;
   }
 
-  private static void cube(World world) {
+  private static Script cube(World world, Values values) {
     Stage stage = Stage.inBox(world);
-    Body cube = stage.box(10f, 10f, 2.5f, 2.5f, soft());
-    cube.setTransform(new Vec2(10f, 10f), -0.6f);
+    stage.tilted(10f, values.real(HEIGHT), -0.6f, 2.5f, 2.5f, soft());
+    return Script.NONE;
   }
 
-  private static void circle(World world) {
-    Stage.inBox(world).disc(10f, 10f, 2.5f, soft());
+  private static Script circle(World world, Values values) {
+    Stage.inBox(world).disc(10f, values.real(HEIGHT), 2.5f, soft());
+    return Script.NONE;
   }
 
   private static FixtureDef soft() {
     return Stage.substance(1f, ROUGH, Stage.tuned(new Diffusion(), 8f));
   }
 
-  private static void rotatedBody(World world) {
+  private static Script rotatedBody(World world, Values values) {
     Stage stage = Stage.inBox(world);
     Body beam = stage.box(10f, 20f, 1f, 10f, Stage.breakable(Stage.tuned(new Diffusion(), 32f)));
-    beam.setAngularVelocity(10f);
+    beam.setAngularVelocity(values.real(SPIN));
+    return Script.NONE;
   }
 
-  private static void staticBody(World world) {
+  private static Script staticBody(World world, Values values) {
     Stage stage = Stage.inBox(world);
     Vec2[] outline = {
       new Vec2(0f, 3.7f),
@@ -98,7 +120,8 @@ final class ThesisScenes {
         .body(BodyType.STATIC, 10f, 0f, 0f)
         .createFixture(
             Stage.breakable(Stage.tuned(new Diffusion(), 32f)), new PolygonFixture(outline));
-    stage.shot(-20f, 18f, 1f, 2f, BULLET_SPEED, 0f);
+    stage.shot(-20f, 18f, 1f, 2f, values.real(SPEED), 0f);
+    return Script.NONE;
   }
 
   private static Scene material(
@@ -107,13 +130,16 @@ final class ThesisScenes {
             "material-" + name,
             "Material: " + title,
             "A heavy disc pierces a block: " + effect + ".",
-            world -> block(world, substance.get()))
+            (world, values) -> block(world, values, substance.get()),
+            SPEED,
+            DENSITY)
         .at(HZ);
   }
 
-  private static void block(World world, Material material) {
+  private static Script block(World world, Values values, Material material) {
     Stage stage = Stage.inBox(world);
     stage.box(0f, 10f, 5f, 10f, Stage.breakable(Stage.tuned(material, 20f)));
-    stage.shot(-30f, 12f, 1f, 5f, BULLET_SPEED, 0f);
+    stage.shot(-30f, 12f, 1f, values.real(DENSITY), values.real(SPEED), 0f);
+    return Script.NONE;
   }
 }
