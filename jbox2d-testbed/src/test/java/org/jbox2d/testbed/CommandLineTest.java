@@ -62,7 +62,7 @@ class CommandLineTest {
         "--headless --png no-such-directory/a.png | --png must be in a directory that exists",
         "--headless --fast | Unknown option: '--fast'",
         "--headless --set rigidity | --set must be NAME=VALUE such as rigidity=20, is rigidity",
-        "--headless --set hardness=1 | unknown parameter 'hardness'; main has: material, rigidity",
+        "--headless --set hardness=1 | unknown parameter 'hardness'; main has: speed, density, size, material",
         "--headless --set rigidity=-1 | rigidity must be 0 to 500 N s, is -1",
         "--headless --set rigidity=NaN | rigidity must be 0 to 500 N s, is NaN",
         "--headless --set rigidity=soft | rigidity must be 0 to 500 N s, is 'soft'",
