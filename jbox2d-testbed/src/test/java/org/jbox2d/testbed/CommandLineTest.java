@@ -62,13 +62,13 @@ class CommandLineTest {
         "--headless --png no-such-directory/a.png | --png must be in a directory that exists",
         "--headless --fast | Unknown option: '--fast'",
         "--headless --set rigidity | --set must be NAME=VALUE such as rigidity=20, is rigidity",
-        "--headless --set hardness=1 | unknown parameter 'hardness'; main has: speed, density, size, material",
+        "--headless --set hardness=1 | unknown parameter 'hardness'; main has: speed, density,",
         "--headless --set rigidity=-1 | rigidity must be 0 to 500 N s, is -1",
         "--headless --set rigidity=NaN | rigidity must be 0 to 500 N s, is NaN",
         "--headless --set rigidity=soft | rigidity must be 0 to 500 N s, is 'soft'",
         "--headless --set body-limit=2.5 | body-limit must be a whole number from 0 to 100000",
-        "--headless --set sleeping=no | sleeping must be off | on, is 'no'",
-        "--headless --solver best | solver must be sequential-impulses",
+        "--headless --set sleeping=no | sleeping must be one of off, on, is 'no'",
+        "--headless --solver best | solver must be one of sequential-impulses, soft-step, adaptive, is",
         "--replay nowhere.rec | --replay must be a file that --record has written",
         "--replay nowhere.rec --scene main | leave --scene, --hz, --seed, --solver and --steps out",
         "--replay nowhere.rec --set rigidity=1 | leave --set out",
@@ -164,7 +164,12 @@ class CommandLineTest {
     String plain = hashOf("--steps", "60", "--hash");
     assertEquals(plain, hashOf("--steps", "60", "--hash", "--set", "rigidity=40"));
     for (String setting :
-        List.of("rigidity=20", "material=glass", "velocity-iterations=3", "gravity-y=-5")) {
+        List.of(
+            "rigidity=20",
+            "material=glass",
+            "solver=soft-step",
+            "velocity-iterations=3",
+            "gravity-y=-5")) {
       assertNotEquals(plain, hashOf("--steps", "60", "--hash", "--set", setting), setting);
     }
   }

@@ -239,13 +239,18 @@ public final class Parameter {
   /** Returns the allowed values, in words. */
   public String range() {
     if (kind == Kind.CHOICE) {
-      return String.join(" | ", choices);
+      return String.join(", ", choices);
     }
     return number(least) + " to " + number(most) + (unit.isEmpty() ? "" : " " + unit);
   }
 
   private String complaint(String value) {
-    String what = kind == Kind.WHOLE ? "a whole number from " : "";
+    String what =
+        switch (kind) {
+          case REAL -> "";
+          case WHOLE -> "a whole number from ";
+          case CHOICE -> "one of ";
+        };
     return name + " must be " + what + range() + ", is " + value;
   }
 

@@ -27,7 +27,7 @@ class ParameterTest {
     assertEquals("-2.5 to 10 m/s", SPEED.range());
     assertEquals(0, COLOUR.parse("red"));
     assertEquals("green", COLOUR.format(1));
-    assertEquals("red | green", COLOUR.range());
+    assertEquals("red, green", COLOUR.range());
   }
 
   @Test
