@@ -53,10 +53,7 @@ public final class Ratios implements Callable<Integer> {
         scenes.isEmpty()
             ? List.of(SceneSpec.values())
             : scenes.stream().map(SceneSpec::of).toList();
-    List<Contender> chosen =
-        solvers.isEmpty()
-            ? List.of(Contender.values())
-            : solvers.stream().map(Contender::of).toList();
+    List<Contender> chosen = Contender.chosen(solvers);
     PrintStream out = System.out;
     out.print("| scene (bodies) |");
     for (Contender solver : chosen) {

@@ -42,7 +42,7 @@ public class SceneBenchmark {
   })
   public String scene;
 
-  @Param({"sequential", "jbox2d-2.2.1.1", "dyn4j-6.0.0", "gdx-box2d-1.14.2"})
+  @Param({"sequential", "soft", "adaptive", "jbox2d-2.2.1.1", "dyn4j-6.0.0", "gdx-box2d-1.14.2"})
   public String solver;
 
   private SteppedScene running;

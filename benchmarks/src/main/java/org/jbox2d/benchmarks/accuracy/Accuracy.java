@@ -11,7 +11,13 @@ import picocli.CommandLine.Command;
     name = "accuracy",
     mixinStandardHelpOptions = true,
     description = "Scenes whose outcome is known, in this engine and its peers.",
-    subcommands = {QuickCommand.class})
+    subcommands = {
+      QuickCommand.class,
+      RunCommand.class,
+      BodiesCommand.class,
+      ChartsCommand.class,
+      RecommendCommand.class
+    })
 public final class Accuracy {
   private Accuracy() {}
 

@@ -19,4 +19,14 @@ final class Meter {
       return scene.time(sim, setting.hz());
     }
   }
+
+  /** Error, and the shortest time of some runs after the one that gave the error. */
+  static Result result(Scene scene, Contender solver, Setting setting, int repeats) {
+    double error = error(scene, solver, setting);
+    double cost = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < repeats; i++) {
+      cost = Math.min(cost, time(scene, solver, setting));
+    }
+    return new Result(scene, solver, setting, error, cost);
+  }
 }

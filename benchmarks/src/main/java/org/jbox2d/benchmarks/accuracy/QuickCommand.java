@@ -36,11 +36,7 @@ final class QuickCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     PrintStream out = System.out;
-    Setting setting = new Setting(level, hz);
-    List<Contender> chosen =
-        solvers.isEmpty()
-            ? List.of(Contender.values())
-            : solvers.stream().map(Contender::of).toList();
+    List<Contender> chosen = Contender.chosen(solvers);
     Map<Contender, List<Result>> results = new EnumMap<>(Contender.class);
     out.printf("%-20s %8s", "scene", "limit");
     for (Contender solver : chosen) {
@@ -50,35 +46,38 @@ final class QuickCommand implements Callable<Integer> {
     out.println();
     for (Scene scene : Suite.common()) {
       if (scene.name().matches(scenes)) {
-        out.printf(Locale.ROOT, "%-20s %8.3g", scene.name(), scene.limit());
-        for (Contender solver : chosen) {
-          Result r = result(scene, solver, setting);
-          results.get(solver).add(r);
-          out.printf(Locale.ROOT, " %16.3g%s", r.error(), r.failed() ? "!" : " ");
-        }
-        out.println();
+        row(scene, chosen, results, out);
+      }
+    }
+    for (Scene scene : Suite.fracture()) {
+      if (scene.name().matches(scenes)) {
+        row(scene, chosen, null, out);
       }
     }
     for (Contender solver : chosen) {
-      Summary s = Summary.of(results.get(solver));
-      out.printf(
-          Locale.ROOT,
-          "%-18s %2d of %d failed, error %.3g, %.4f ms a simulated second%n",
-          solver.label,
-          s.failed(),
-          s.scenes(),
-          s.error(),
-          s.cost());
+      if (!results.get(solver).isEmpty()) {
+        out.println(Summary.of(results.get(solver)).line());
+      }
     }
     return 0;
   }
 
-  private Result result(Scene scene, Contender solver, Setting setting) {
-    double error = Meter.error(scene, solver, setting);
-    double cost = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < repeats; i++) {
-      cost = Math.min(cost, Meter.time(scene, solver, setting));
+  /** Prints errors; collects results unless only some of the solvers run the scene. */
+  private void row(
+      Scene scene, List<Contender> chosen, Map<Contender, List<Result>> results, PrintStream out) {
+    Setting setting = new Setting(level, hz);
+    out.printf(Locale.ROOT, "%-20s %8.3g", scene.name(), scene.limit());
+    for (Contender solver : chosen) {
+      if (results == null && !solver.ours) {
+        out.printf(" %16s ", "-");
+        continue;
+      }
+      Result r = Meter.result(scene, solver, setting, repeats);
+      if (results != null) {
+        results.get(solver).add(r);
+      }
+      out.printf(Locale.ROOT, " %16.3g%s", r.error(), r.failed() ? "!" : " ");
     }
-    return new Result(scene, solver, setting, error, cost);
+    out.println();
   }
 }

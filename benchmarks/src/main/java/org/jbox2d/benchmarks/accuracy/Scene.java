@@ -37,7 +37,7 @@ public record Scene(String name, double seconds, double limit, String reason, Sc
    *
    * @param sim an empty world
    * @param hz steps per second
-   * @return the error, between {@link #FLOOR} and {@link #CEILING}
+   * @return the error, {@link #CEILING} at most
    */
   public double measure(Sim sim, int hz) {
     Run run = script.start(sim);
@@ -49,7 +49,7 @@ public record Scene(String name, double seconds, double limit, String reason, Sc
       run.after((i + 1) * dt, dt);
     }
     double error = run.error(steps * dt);
-    return Double.isNaN(error) ? CEILING : Math.min(CEILING, Math.max(FLOOR, error));
+    return Double.isNaN(error) ? CEILING : Math.min(CEILING, error);
   }
 
   /**

@@ -10,13 +10,20 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.lines.SeriesLines;
+import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** A chart of lines with markers over a logarithmic axis. Ours is blue, a peer's orange. */
-final class Drawing {
-  static final Color OURS = new Color(0x1F5FA8);
-  static final Color PEER = new Color(0xD9661F);
-  static final Color THIRD = new Color(0x3B8F4A);
+public final class Drawing {
+  /** Of this project. */
+  public static final Color OURS = new Color(0x1F5FA8);
+
+  /** Of the peer that is compared most. */
+  public static final Color PEER = new Color(0xD9661F);
+
+  /** Of a third. */
+  public static final Color THIRD = new Color(0x3B8F4A);
 
   private static final int WIDTH = 800;
   private static final int HEIGHT = 520;
@@ -27,7 +34,8 @@ final class Drawing {
 
   private final XYChart chart;
 
-  Drawing(String title, String xTitle, String yTitle) {
+  /** Creates an empty chart. */
+  public Drawing(String title, String xTitle, String yTitle) {
     chart =
         new XYChartBuilder()
             .width(WIDTH)
@@ -49,25 +57,37 @@ final class Drawing {
   }
 
   /** Makes the vertical axis logarithmic too. */
-  Drawing logLog() {
+  public Drawing logLog() {
     chart.getStyler().setYAxisLogarithmic(true).setYAxisDecimalPattern(WHOLE);
     return this;
   }
 
+  /** Sets how numbers stand at the axes. */
+  public Drawing numbers(String x, String y) {
+    chart.getStyler().setXAxisDecimalPattern(x).setYAxisDecimalPattern(y);
+    return this;
+  }
+
+  /** Makes the vertical axis logarithmic and sets its ends. */
+  public Drawing logAbove(double low, double high) {
+    chart.getStyler().setYAxisLogarithmic(true).setYAxisMin(low).setYAxisMax(high);
+    return this;
+  }
+
   /** Sets the ends of the horizontal axis. */
-  Drawing between(double low, double high) {
+  public Drawing between(double low, double high) {
     chart.getStyler().setXAxisMin(low).setXAxisMax(high);
     return this;
   }
 
   /** Sets where the legend is. */
-  Drawing legend(LegendPosition position) {
+  public Drawing legend(LegendPosition position) {
     chart.getStyler().setLegendPosition(position);
     return this;
   }
 
   /** Adds a line; a dashed one has square markers. */
-  void line(String name, double[] x, double[] y, Color colour, boolean dashed) {
+  public void line(String name, double[] x, double[] y, Color colour, boolean dashed) {
     XYSeries series = chart.addSeries(name, x, y);
     series.setLineColor(colour);
     series.setMarkerColor(colour);
@@ -79,7 +99,24 @@ final class Drawing {
             : new BasicStroke(LINE));
   }
 
-  void write(Path file) throws IOException {
+  /** Adds points that no line joins. */
+  public void points(String name, double[] x, double[] y, Color colour, Marker marker) {
+    XYSeries series = chart.addSeries(name, x, y);
+    series.setLineStyle(SeriesLines.NONE);
+    series.setMarkerColor(colour);
+    series.setMarker(marker);
+  }
+
+  /** Adds a line without markers. */
+  public void curve(String name, double[] x, double[] y, Color colour) {
+    XYSeries series = chart.addSeries(name, x, y);
+    series.setLineColor(colour);
+    series.setMarker(SeriesMarkers.NONE);
+    series.setLineStyle(new BasicStroke(LINE));
+  }
+
+  /** Writes the chart as SVG. */
+  public void write(Path file) throws IOException {
     VectorGraphicsEncoder.saveVectorGraphic(chart, file.toString(), VectorGraphicsFormat.SVG);
   }
 }

@@ -1,6 +1,8 @@
 package org.jbox2d.benchmarks.engines;
 
 import java.lang.reflect.Constructor;
+import java.util.List;
+import org.jbox2d.dynamics.Solver;
 
 /** The solvers that are compared. */
 public enum Contender {
@@ -9,6 +11,30 @@ public enum Contender {
     @Override
     public Sim open(Setting s) {
       return new OurSim(s.velocityIterations(), s.positionIterations());
+    }
+  },
+  /** This project's soft step. */
+  SOFT("soft", true) {
+    @Override
+    public Sim open(Setting s) {
+      return new OurSim(Solver.softStep(s.substeps()));
+    }
+
+    @Override
+    public String describe(Setting s) {
+      return s.substeps() + " substeps";
+    }
+  },
+  /** This project's adaptive solver. */
+  ADAPTIVE("adaptive", true) {
+    @Override
+    public Sim open(Setting s) {
+      return new OurSim(Solver.adaptive(s.leastSubsteps(), s.mostSubsteps()));
+    }
+
+    @Override
+    public String describe(Setting s) {
+      return s.leastSubsteps() + " to " + s.mostSubsteps();
     }
   },
   /** JBox2D 2.2.1.1 as released. */
@@ -54,6 +80,16 @@ public enum Contender {
   /** What the setting is called with this solver. */
   public String describe(Setting s) {
     return s.velocityIterations() + "/" + s.positionIterations();
+  }
+
+  /** Whether a setting is one of this solver's. */
+  public boolean has(Setting setting) {
+    return true;
+  }
+
+  /** The contenders of some labels, or all if there are none. */
+  public static List<Contender> chosen(List<String> labels) {
+    return labels.isEmpty() ? List.of(values()) : labels.stream().map(Contender::of).toList();
   }
 
   /**

@@ -42,4 +42,14 @@ public record Setting(int level, int hz) {
   public int substeps() {
     return 2 << level;
   }
+
+  /** Least substeps of an adaptive solver. */
+  public int leastSubsteps() {
+    return 1 << level;
+  }
+
+  /** Greatest number of substeps of an adaptive solver. */
+  public int mostSubsteps() {
+    return 16 << level;
+  }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import org.jbox2d.dynamics.Solver;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -69,5 +70,8 @@ class ContenderTest {
     assertEquals(3, Setting.STANDARD.positionIterations());
     assertEquals(4, Setting.STANDARD.substeps());
     assertEquals(32, new Setting(3, 60).velocityIterations());
+    assertEquals(Solver.adaptive().getLeastSubsteps(), Setting.STANDARD.leastSubsteps());
+    assertEquals(Solver.adaptive().getMostSubsteps(), Setting.STANDARD.mostSubsteps());
+    assertEquals(Solver.softStep().getLeastSubsteps(), Setting.STANDARD.substeps());
   }
 }

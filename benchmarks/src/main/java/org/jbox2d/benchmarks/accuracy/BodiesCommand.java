@@ -1,0 +1,126 @@
+package org.jbox2d.benchmarks.accuracy;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.function.BiFunction;
+import org.jbox2d.benchmarks.charts.Drawing;
+import org.jbox2d.benchmarks.engines.Contender;
+import org.jbox2d.benchmarks.engines.Setting;
+import org.jbox2d.benchmarks.engines.Sim;
+import org.jbox2d.benchmarks.scenes.Breaking;
+import org.jbox2d.benchmarks.scenes.Jointed;
+import org.jbox2d.benchmarks.scenes.Piles;
+import org.jbox2d.benchmarks.scenes.SteppedScene;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** How the time of a step grows with the bodies. */
+@Command(
+    name = "bodies",
+    mixinStandardHelpOptions = true,
+    description = "Thread time of a step against the number of bodies, 100 to 20,000.")
+final class BodiesCommand implements Callable<Integer> {
+  private static final int[] SIZES = {100, 300, 1000, 3000, 10_000, 20_000};
+  private static final int WARM_STEPS = 120;
+  private static final int STEPS = 60;
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+  @Option(names = "--directory", description = "Where to write.")
+  private Path directory = Path.of("docs/charts/accuracy");
+
+  @Option(names = "--solver", split = ",", description = "Labels of solvers; all if left out.")
+  private List<String> solvers = new ArrayList<>();
+
+  @Option(names = "--most", description = "Greatest number of bodies.")
+  private int most = SIZES[SIZES.length - 1];
+
+  @Option(names = "--budget", description = "Thread time for a size at most, s, half of it warm.")
+  private double budget = 6;
+
+  /** A scene of about so many bodies. */
+  private enum Shape {
+    PYRAMID("pyramid", false, (sim, n) -> Piles.pyramid(sim, (int) Math.round(Math.sqrt(2.0 * n)))),
+    DEBRIS("debris", false, Piles::debris),
+    JOINT_GRID(
+        "joint_grid", false, (sim, n) -> Jointed.jointGrid(sim, (int) Math.round(Math.sqrt(n)))),
+    FRACTURE("fracture", true, Breaking::new);
+
+    final String label;
+    final boolean oursAlone;
+    final BiFunction<Sim, Integer, SteppedScene> builder;
+
+    Shape(String label, boolean oursAlone, BiFunction<Sim, Integer, SteppedScene> builder) {
+      this.label = label;
+      this.oursAlone = oursAlone;
+      this.builder = builder;
+    }
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    PrintStream out = System.out;
+    Files.createDirectories(directory);
+    List<String> lines = new ArrayList<>(List.of("scene,solver,bodies,step_ms"));
+    for (Shape shape : Shape.values()) {
+      Drawing drawing =
+          new Drawing("Step time: " + shape.label, "bodies", "thread time of a step, ms");
+      drawing.logLog().numbers("#,##0", "0.###");
+      for (Contender solver : Contender.chosen(solvers)) {
+        if (shape.oursAlone && !solver.ours) {
+          continue;
+        }
+        List<double[]> points = new ArrayList<>();
+        for (int size : SIZES) {
+          if (size <= most) {
+            double[] point = point(shape, solver, size);
+            points.add(point);
+            String line =
+                String.format(
+                    Locale.ROOT, "%s,%s,%.0f,%.4g", shape.label, solver.label, point[0], point[1]);
+            out.println(line);
+            lines.add(line);
+          }
+        }
+        drawing.line(
+            solver.label,
+            points.stream().mapToDouble(p -> p[0]).toArray(),
+            points.stream().mapToDouble(p -> p[1]).toArray(),
+            AccuracyCharts.colour(solver),
+            !solver.ours);
+      }
+      drawing.write(directory.resolve("bodies-" + shape.label + ".svg"));
+    }
+    Files.writeString(directory.resolve("bodies.csv"), String.join("\n", lines) + "\n");
+    return 0;
+  }
+
+  /** Number of bodies and median time of a step, ms. */
+  private double[] point(Shape shape, Contender solver, int size) {
+    try (SteppedScene scene = shape.builder.apply(solver.open(Setting.STANDARD), size)) {
+      long half = (long) (0.5e9 * budget);
+      long start = THREADS.getCurrentThreadCpuTime();
+      for (int i = 0; i < WARM_STEPS && THREADS.getCurrentThreadCpuTime() - start < half; i++) {
+        scene.step();
+      }
+      long[] nanos = new long[STEPS];
+      int n = 0;
+      start = THREADS.getCurrentThreadCpuTime();
+      while (n < STEPS && (n == 0 || THREADS.getCurrentThreadCpuTime() - start < half)) {
+        long before = THREADS.getCurrentThreadCpuTime();
+        scene.step();
+        nanos[n++] = THREADS.getCurrentThreadCpuTime() - before;
+      }
+      Arrays.sort(nanos, 0, n);
+      return new double[] {scene.bodyCount(), nanos[n / 2] * 1e-6};
+    }
+  }
+}
