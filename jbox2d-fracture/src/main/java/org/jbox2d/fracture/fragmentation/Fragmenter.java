@@ -6,7 +6,6 @@ import java.util.Collections;
 import java.util.List;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.geometry.OutlineCheck;
-import org.jbox2d.fracture.geometry.OutlineDefect;
 import org.jbox2d.fracture.voronoi.VoronoiDiagram;
 
 /**
@@ -38,6 +37,7 @@ public final class Fragmenter {
   /** Relative error of the total area beyond which the result is refused. */
   private static final double AREA_TOLERANCE = 1e-9;
 
+  private final OutlineCheck check = new OutlineCheck();
   private final VoronoiDiagram voronoi = new VoronoiDiagram();
   private final CellEdges cellEdges = new CellEdges();
   private final Noder noder = new Noder();
@@ -147,8 +147,7 @@ public final class Fragmenter {
 
   /** Checks the outline and puts it into the noder; null if all is well. */
   private Fragmentation begin(Outline body) {
-    OutlineCheck check = OutlineCheck.ofTouching(body);
-    if (check.defect() != OutlineDefect.NONE) {
+    if (!check.run(body, true)) {
       return Fragmentation.failure(FragmentationStatus.INVALID_OUTLINE, check.message());
     }
     outline = body.normal();

@@ -69,6 +69,19 @@ public final class InCircle {
     return exact(ax, ay, bx, by, cx, cy, dx, dy);
   }
 
+  /** The same, for points a, b, c, d of an array of interleaved coordinates. */
+  public int sign(double[] xy, int a, int b, int c, int d) {
+    return sign(
+        xy[2 * a],
+        xy[2 * a + 1],
+        xy[2 * b],
+        xy[2 * b + 1],
+        xy[2 * c],
+        xy[2 * c + 1],
+        xy[2 * d],
+        xy[2 * d + 1]);
+  }
+
   /** Apart from {@link #sign}, to keep that small enough to be compiled into its callers. */
   private int exact(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {

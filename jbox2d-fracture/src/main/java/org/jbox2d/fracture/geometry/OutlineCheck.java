@@ -6,24 +6,29 @@ package org.jbox2d.fracture.geometry;
  * ring has area, and all holes are inside the outer ring and outside each other. Orientation and
  * collinear vertices do not matter.
  *
- * <p>Cost: O(n log n) for outlines whose edges are short beside their extent, O(n^2) at worst.
+ * <p>Cost: O(n) for convex outlines, O(n log n) for those whose edges are short beside their
+ * extent, O(n^2) at worst. An instance may be used again and then allocates nothing, unless there
+ * is a defect to look for; not for use by two threads at once.
  */
 public final class OutlineCheck {
-  private final Outline outline;
-  private final boolean mayTouch;
+  private final KeyOrder byLeftEnd = new KeyOrder();
+  private int[] head = new int[0];
+  private int[] ring = new int[0];
+  private double[] left = new double[0];
+
+  /** Boxes of the edges in the order of their left ends: left, right, lower, upper. */
+  private double[] box = new double[0];
+
+  private Outline outline;
+  private boolean mayTouch;
   private OutlineDefect defect = OutlineDefect.NONE;
   private int vertex = -1;
   private int other = -1;
 
-  private OutlineCheck(Outline outline, boolean mayTouch) {
-    this.outline = outline;
-    this.mayTouch = mayTouch;
-  }
-
   /** Checks an outline. */
   public static OutlineCheck of(Outline outline) {
-    OutlineCheck check = new OutlineCheck(outline, false);
-    check.compute();
+    OutlineCheck check = new OutlineCheck();
+    check.run(outline, false);
     return check;
   }
 
@@ -32,9 +37,43 @@ public final class OutlineCheck {
    * fragmentations do.
    */
   public static OutlineCheck ofTouching(Outline outline) {
-    OutlineCheck check = new OutlineCheck(outline, true);
-    check.compute();
+    OutlineCheck check = new OutlineCheck();
+    check.run(outline, true);
     return check;
+  }
+
+  /**
+   * Checks an outline; forgets the one before.
+   *
+   * @param ringsMayTouch whether rings may touch others in common vertices
+   * @return whether it is valid
+   */
+  public boolean run(Outline given, boolean ringsMayTouch) {
+    begin(given, ringsMayTouch);
+    return finite()
+        && ringsLargeEnough()
+        && edgesHaveLength()
+        && edgesApart()
+        && ringsHaveArea()
+        && holesPlaced();
+  }
+
+  /**
+   * Checks all but whether edges meet others than their neighbours, in linear time for each ring:
+   * for those who find that out on the way. Which defect is named if there are several may differ
+   * from {@link #run}.
+   */
+  public boolean runButCrossings(Outline given, boolean ringsMayTouch) {
+    begin(given, ringsMayTouch);
+    return finite() && ringsLargeEnough() && edgesHaveLength() && ringsHaveArea() && holesPlaced();
+  }
+
+  private void begin(Outline given, boolean ringsMayTouch) {
+    outline = given;
+    mayTouch = ringsMayTouch;
+    defect = OutlineDefect.NONE;
+    vertex = -1;
+    other = -1;
   }
 
   /** What is wrong, or {@link OutlineDefect#NONE}. */
@@ -62,12 +101,6 @@ public final class OutlineCheck {
             ? "vertex " + vertex
             : "vertex " + vertex + " (" + outline.x(vertex) + ", " + outline.y(vertex) + ")";
     return where + " " + defect.text() + (other < 0 ? "" : " " + other);
-  }
-
-  private void compute() {
-    if (finite() && ringsLargeEnough() && edgesHaveLength() && edgesApart() && ringsHaveArea()) {
-      holesPlaced();
-    }
   }
 
   private boolean fail(OutlineDefect reason, int i, int j) {
@@ -121,40 +154,72 @@ public final class OutlineCheck {
     return i + 1 < outline.ringEnd(ring) ? i + 1 : outline.ringStart(ring);
   }
 
-  /**
-   * Compares each edge with those that begin left of its right end, in the order of their left
-   * ends.
-   */
   private boolean edgesApart() {
+    if (outline.ringCount() == 1
+        && Rings.isStrictlyConvex(outline.coordinates(), 0, outline.vertexCount())) {
+      return true;
+    }
     int n = outline.vertexCount();
-    int[] ring = new int[n];
-    int[] head = new int[n];
-    double[] left = new double[n];
-    double[] right = new double[n];
+    ensure(n);
     for (int r = 0; r < outline.ringCount(); r++) {
       for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
         int j = next(i, r);
         ring[i] = r;
         head[i] = j;
         left[i] = Math.min(outline.x(i), outline.x(j));
-        right[i] = Math.max(outline.x(i), outline.x(j));
       }
     }
-    int[] order = SortedIndices.by(left, n);
+    int[] order = byLeftEnd.ascending(left, n);
     for (int k = 0; k < n; k++) {
-      int e = order[k];
-      for (int l = k + 1; l < n && left[order[l]] <= right[e]; l++) {
-        int f = order[l];
-        if (meet(e, head[e], f, head[f])
-            && !(mayTouch && ring[e] != ring[f] && touchInVertex(e, head[e], f, head[f]))) {
-          return failMeeting(e, f, ring[e] == ring[f], head);
-        }
+      setBox(k, order[k]);
+    }
+    for (int k = 0; k < n; k++) {
+      if (!apartFromLater(k, n, order)) {
+        return false;
       }
     }
     return true;
   }
 
-  private boolean failMeeting(int e, int f, boolean sameRing, int[] head) {
+  private void ensure(int n) {
+    if (head.length < n) {
+      int size = n + n / 2;
+      head = new int[size];
+      ring = new int[size];
+      left = new double[size];
+      box = new double[4 * size];
+    }
+  }
+
+  private void setBox(int k, int e) {
+    double[] xy = outline.coordinates();
+    int f = head[e];
+    box[4 * k] = left[e];
+    box[4 * k + 1] = Math.max(xy[2 * e], xy[2 * f]);
+    box[4 * k + 2] = Math.min(xy[2 * e + 1], xy[2 * f + 1]);
+    box[4 * k + 3] = Math.max(xy[2 * e + 1], xy[2 * f + 1]);
+  }
+
+  /** Compares the k-th edge with those that begin left of its right end, but not left of it. */
+  private boolean apartFromLater(int k, int n, int[] order) {
+    double right = box[4 * k + 1];
+    double lower = box[4 * k + 2];
+    double upper = box[4 * k + 3];
+    int e = order[k];
+    for (int l = k + 1; l < n && box[4 * l] <= right; l++) {
+      // One branch for both: either alone is as likely as not.
+      boolean near = box[4 * l + 2] <= upper & box[4 * l + 3] >= lower;
+      int f = order[l];
+      if (near
+          && meet(e, head[e], f, head[f])
+          && !(mayTouch && ring[e] != ring[f] && touchInVertex(e, head[e], f, head[f]))) {
+        return failMeeting(e, f, ring[e] == ring[f]);
+      }
+    }
+    return true;
+  }
+
+  private boolean failMeeting(int e, int f, boolean sameRing) {
     int low = Math.min(e, f);
     int high = Math.max(e, f);
     if (outline.x(e) == outline.x(f) && outline.y(e) == outline.y(f)) {
@@ -171,13 +236,12 @@ public final class OutlineCheck {
     return fail(sameRing ? OutlineDefect.SELF_INTERSECTION : OutlineDefect.RINGS_MEET, low, high);
   }
 
-  /** Whether edges a-b and c-d share a point that is not their common end vertex. */
+  /**
+   * Whether edges a-b and c-d, whose boxes overlap, share a point that is not their common end
+   * vertex.
+   */
   private boolean meet(int a, int b, int c, int d) {
     double[] xy = outline.coordinates();
-    if (Math.max(xy[2 * a + 1], xy[2 * b + 1]) < Math.min(xy[2 * c + 1], xy[2 * d + 1])
-        || Math.max(xy[2 * c + 1], xy[2 * d + 1]) < Math.min(xy[2 * a + 1], xy[2 * b + 1])) {
-      return false;
-    }
     if (b == c) {
       return foldsBack(xy, a, b, d);
     }
@@ -221,23 +285,22 @@ public final class OutlineCheck {
     return dot < 0;
   }
 
-  private void holesPlaced() {
+  private boolean holesPlaced() {
     double[] xy = outline.coordinates();
     for (int r = 1; r < outline.ringCount(); r++) {
       int i = outline.ringStart(r);
       if (Rings.locate(xy, 0, outline.ringEnd(0), outline.x(i), outline.y(i)) < 0) {
-        fail(OutlineDefect.HOLE_OUTSIDE, i, -1);
-        return;
+        return fail(OutlineDefect.HOLE_OUTSIDE, i, -1);
       }
       for (int s = 1; s < outline.ringCount(); s++) {
         if (s != r
             && Rings.locate(
                     xy, outline.ringStart(s), outline.ringEnd(s), outline.x(i), outline.y(i))
                 > 0) {
-          fail(OutlineDefect.HOLE_IN_HOLE, i, outline.ringStart(s));
-          return;
+          return fail(OutlineDefect.HOLE_IN_HOLE, i, outline.ringStart(s));
         }
       }
     }
+    return true;
   }
 }

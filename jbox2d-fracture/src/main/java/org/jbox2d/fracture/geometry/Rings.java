@@ -87,4 +87,35 @@ public final class Rings {
     }
     return inside ? 1 : -1;
   }
+
+  /**
+   * Whether the ring is a strictly convex polygon, in either orientation, decided exactly: it turns
+   * the same way in every vertex, and goes around once, so that only one edge goes up after one
+   * that goes down.
+   */
+  public static boolean isStrictlyConvex(double[] xy, int start, int end) {
+    if (end - start < 3) {
+      return false;
+    }
+    int wanted = Predicates.orientation(xy, end - 2, end - 1, start);
+    boolean wasUp = goesUp(xy, end - 2, end - 1);
+    int rises = 0;
+    int a = end - 1;
+    for (int b = start; b < end; b++) {
+      int c = b + 1 < end ? b + 1 : start;
+      boolean up = goesUp(xy, a, b);
+      rises += up && !wasUp ? 1 : 0;
+      if (wanted == 0 || rises > 1 || Predicates.orientation(xy, a, b, c) != wanted) {
+        return false;
+      }
+      wasUp = up;
+      a = b;
+    }
+    return true;
+  }
+
+  private static boolean goesUp(double[] xy, int a, int b) {
+    double dy = xy[2 * b + 1] - xy[2 * a + 1];
+    return dy > 0 || (dy == 0 && xy[2 * b] > xy[2 * a]);
+  }
 }

@@ -55,6 +55,15 @@ public final class SortedIndices {
     }
   }
 
+  /**
+   * The same for elements that are in order but for some near to their place: linear time for each
+   * place that one is away.
+   */
+  public static void sortNearlySorted(
+      int[] order, int start, int end, double[] first, double[] second) {
+    insertionSort(order, start, end, first, second);
+  }
+
   private static void insertionSort(
       int[] order, int start, int end, double[] first, double[] second) {
     for (int i = start + 1; i < end; i++) {

@@ -2,14 +2,15 @@ package org.jbox2d.fracture.hertelmehlhorn;
 
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.geometry.OutlineCheck;
-import org.jbox2d.fracture.geometry.OutlineDefect;
+import org.jbox2d.fracture.geometry.Rings;
 import org.jbox2d.fracture.triangulation.DelaunayTriangulator;
 import org.jbox2d.fracture.triangulation.TriangleMesh;
 import org.jbox2d.fracture.triangulation.Triangulator;
 
 /**
  * Decomposes an outline, with holes, into convex parts that an engine can take: triangulate, then
- * drop diagonals ({@link HertelMehlhorn}).
+ * drop diagonals ({@link HertelMehlhorn}), in several orders, of which that with the fewest parts
+ * is taken. What is convex and small enough already is one part.
  *
  * <p><b>Resolution.</b> An engine merges points nearer than some distance, drops vertices that
  * hardly stick out and refuses what is left without area. What is finer than that must not reach
@@ -31,6 +32,8 @@ import org.jbox2d.fracture.triangulation.Triangulator;
 public final class ConvexDecomposition {
   private final Triangulator first;
   private final Triangulator second;
+  private final DiagonalOrder[] orders;
+  private final OutlineCheck check = new OutlineCheck();
   private final TriangleMesh mesh = new TriangleMesh();
   private final HertelMehlhorn hertelMehlhorn = new HertelMehlhorn();
   private final OutlineSimplifier simplifier = new OutlineSimplifier();
@@ -42,14 +45,28 @@ public final class ConvexDecomposition {
   }
 
   /**
-   * Creates a decomposition.
+   * Creates a decomposition that tries all orders of diagonals.
    *
    * @param first the triangulator to use
    * @param second the one to use where the first fails, or null
    */
   public ConvexDecomposition(Triangulator first, Triangulator second) {
+    this(first, second, DiagonalOrder.values());
+  }
+
+  /**
+   * Creates a decomposition that tries some orders of diagonals: fewer are faster, more give fewer
+   * parts.
+   *
+   * @throws IllegalArgumentException if there is no order
+   */
+  public ConvexDecomposition(Triangulator first, Triangulator second, DiagonalOrder... orders) {
+    if (orders.length == 0) {
+      throw new IllegalArgumentException("orders of diagonals: none");
+    }
     this.first = first;
     this.second = second;
+    this.orders = orders.clone();
   }
 
   /** How a decomposition ended. */
@@ -116,20 +133,25 @@ public final class ConvexDecomposition {
     if (!(resolution >= 0 && resolution * 0 == 0)) {
       throw new IllegalArgumentException("resolution: " + resolution);
     }
-    OutlineCheck check = OutlineCheck.ofTouching(outline);
-    if (check.defect() != OutlineDefect.NONE) {
-      return failure(Status.INVALID_OUTLINE, check.message());
+    // With a resolution something else than the given outline is triangulated.
+    boolean triangulationChecks = resolution == 0 && first.refusesCrossings();
+    boolean acceptable =
+        triangulationChecks ? check.runButCrossings(outline, true) : check.run(outline, true);
+    if (!acceptable) {
+      return invalid(outline);
     }
     Outline normal = outline.normal();
     Outline coarse = resolution > 0 ? simplifier.simplify(normal, resolution) : normal;
     if (coarse == null) {
       return failure(Status.TOO_FINE, "outline is finer than the resolution " + resolution);
     }
-    if (!triangulate(coarse)) {
-      return failure(
-          Status.NOT_TRIANGULATED, "outline of " + coarse.vertexCount() + " vertices resists");
+    ConvexParts parts = decompose(coarse, mostVertices);
+    if (parts == null) {
+      return triangulationChecks && !check.run(outline, true)
+          ? invalid(outline)
+          : failure(
+              Status.NOT_TRIANGULATED, "outline of " + coarse.vertexCount() + " vertices resists");
     }
-    ConvexParts parts = fewestParts(coarse, mostVertices);
     if (resolution > 0) {
       parts = filter.filter(parts, resolution);
       if (parts.count() == 0) {
@@ -140,33 +162,42 @@ public final class ConvexDecomposition {
     return new Result(Status.DECOMPOSED, "", parts, (parts.totalArea() - area) / area);
   }
 
+  /** Names the first defect. */
+  private Result invalid(Outline outline) {
+    check.run(outline, true);
+    return failure(Status.INVALID_OUTLINE, check.message());
+  }
+
   private static Result failure(Status status, String reason) {
     return new Result(status, reason, new ConvexParts(new double[0], new int[1]), -1);
   }
 
-  private boolean triangulate(Outline outline) {
-    if (first.triangulate(outline, mesh)) {
-      return true;
+  /** The parts of a normal outline, or null if it resists. */
+  private ConvexParts decompose(Outline outline, int mostVertices) {
+    int n = outline.vertexCount();
+    double[] xy = outline.coordinates();
+    if (n <= mostVertices && outline.ringCount() == 1 && Rings.isStrictlyConvex(xy, 0, n)) {
+      return onePart(xy, n);
     }
-    return second != null && second.triangulate(outline, mesh);
-  }
-
-  /** The best of the orders of diagonals. */
-  private ConvexParts fewestParts(Outline outline, int mostVertices) {
-    HertelMehlhorn.Order best = HertelMehlhorn.Order.LONGEST_FIRST;
-    int fewest = Integer.MAX_VALUE;
-    int last = 0;
-    HertelMehlhorn.Order[] orders = HertelMehlhorn.Order.values();
-    for (HertelMehlhorn.Order order : orders) {
-      last = hertelMehlhorn.merge(outline, mesh, mostVertices, order);
-      if (last < fewest) {
-        fewest = last;
-        best = order;
+    if (!first.triangulate(outline, mesh)
+        && (second == null || !second.triangulate(outline, mesh))) {
+      return null;
+    }
+    hertelMehlhorn.begin(outline, mesh);
+    for (int k = 0; k < orders.length; k++) {
+      if (hertelMehlhorn.merge(mostVertices, orders[k]) == 1) {
+        break;
       }
     }
-    if (last != fewest) {
-      hertelMehlhorn.merge(outline, mesh, mostVertices, best);
-    }
-    return hertelMehlhorn.parts();
+    return hertelMehlhorn.fewestParts();
+  }
+
+  /** The vertices in the order in which they would come out of a triangulation: the last first. */
+  private static ConvexParts onePart(double[] xy, int n) {
+    double[] part = new double[2 * n];
+    part[0] = xy[2 * n - 2];
+    part[1] = xy[2 * n - 1];
+    System.arraycopy(xy, 0, part, 2, 2 * n - 2);
+    return new ConvexParts(part, new int[] {0, n});
   }
 }

@@ -1,9 +1,9 @@
 package org.jbox2d.fracture.hertelmehlhorn;
 
 import java.util.Arrays;
+import org.jbox2d.fracture.geometry.KeyOrder;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.geometry.Predicates;
-import org.jbox2d.fracture.geometry.SortedIndices;
 import org.jbox2d.fracture.triangulation.TriangleMesh;
 
 /**
@@ -12,8 +12,8 @@ import org.jbox2d.fracture.triangulation.TriangleMesh;
  * are not limited.
  *
  * <p>Source: S. Hertel, K. Mehlhorn, "Fast triangulation of simple polygons", Foundations of
- * Computation Theory (1983). Which diagonals are essential depends on the order; {@link Order}
- * names those that are tried.
+ * Computation Theory (1983). Which diagonals are essential depends on the order, {@link
+ * DiagonalOrder}.
  *
  * <p>Parts are closed lists of half-edges. Removing the diagonal h with twin t joins two lists:
  *
@@ -29,85 +29,137 @@ import org.jbox2d.fracture.triangulation.TriangleMesh;
  * left out of the result.
  */
 final class HertelMehlhorn {
-  /** Order in which diagonals are looked at. */
-  enum Order {
-    /** As the triangulation gave them. */
-    AS_FOUND,
-    /** Longest first. */
-    LONGEST_FIRST,
-    /** Shortest first. */
-    SHORTEST_FIRST
-  }
-
+  private final KeyOrder byLength = new KeyOrder();
   private TriangleMesh mesh;
   private double[] xy;
-  private int[] after = new int[96];
-  private int[] before = new int[96];
-  private int[] part = new int[96];
-  private int[] parent = new int[32];
-  private int[] corners = new int[32];
-  private int[] diagonal = new int[96];
-  private int[] scratch = new int[96];
-  private double[] key = new double[96];
+
+  private int diagonalCount;
+  private int[] diagonal = new int[0];
+  private double[] squaredLength = new double[0];
+  private int[] shortestFirst;
+
+  /** For each half-edge the one after it in its triangle. */
+  private int[] following = new int[0];
+
+  private int[] after = new int[0];
+  private int[] before = new int[0];
+  private int[] parent = new int[0];
+  private int[] corners = new int[0];
   private int partCount;
 
-  /** Merges triangles; returns the number of parts. */
-  int merge(Outline outline, TriangleMesh triangles, int mostVertices, Order order) {
+  /** The lists of the merge that gave the fewest parts, and their number. */
+  private int[] bestAfter = new int[0];
+
+  private int[] bestBefore = new int[0];
+  private int bestCount;
+  private double[] out = new double[0];
+  private boolean[] done = new boolean[0];
+
+  /** Takes up a triangulation. */
+  void begin(Outline outline, TriangleMesh triangles) {
     mesh = triangles;
     xy = outline.coordinates();
-    begin();
-    int diagonals = collect(order);
-    for (int k = 0; k < diagonals; k++) {
-      tryRemove(diagonal[k], mostVertices);
+    ensure(mesh.halfEdgeCount());
+    diagonalCount = 0;
+    for (int h = 0; h < mesh.halfEdgeCount(); h++) {
+      if (h < mesh.twin(h)) {
+        squaredLength[diagonalCount] = squaredLength(h);
+        diagonal[diagonalCount++] = h;
+      }
     }
-    return partCount;
+    shortestFirst = null;
+    bestCount = Integer.MAX_VALUE;
   }
 
-  private void begin() {
-    int n = mesh.halfEdgeCount();
+  private void ensure(int n) {
     if (after.length < n) {
-      after = new int[2 * n];
-      before = new int[2 * n];
-      part = new int[2 * n];
-      parent = new int[2 * n];
-      corners = new int[2 * n];
-      diagonal = new int[2 * n];
-      scratch = new int[2 * n];
-      key = new double[2 * n];
+      int size = n + n / 2;
+      after = new int[size];
+      before = new int[size];
+      bestAfter = new int[size];
+      bestBefore = new int[size];
+      parent = new int[size];
+      corners = new int[size];
+      diagonal = new int[size];
+      squaredLength = new double[size];
+      out = new double[2 * size];
+      done = new boolean[size];
+      following = new int[size];
+      for (int h = 0; h < size; h++) {
+        following[h] = TriangleMesh.following(h);
+      }
     }
-    for (int h = 0; h < n; h++) {
-      int following = TriangleMesh.following(h);
-      after[h] = following;
-      before[following] = h;
-      part[h] = h / 3;
+  }
+
+  private double squaredLength(int h) {
+    int a = mesh.vertex(h);
+    int b = mesh.vertex(following[h]);
+    double dx = xy[2 * b] - xy[2 * a];
+    double dy = xy[2 * b + 1] - xy[2 * a + 1];
+    return dx * dx + dy * dy;
+  }
+
+  /** Merges the triangles in an order; returns the number of parts. */
+  int merge(int mostVertices, DiagonalOrder order) {
+    int n = mesh.halfEdgeCount();
+    System.arraycopy(following, 0, after, 0, n);
+    for (int h = 0; h < n; h += 3) {
+      before[h] = h + 2;
+      before[h + 1] = h;
+      before[h + 2] = h + 1;
     }
     partCount = mesh.triangleCount();
     for (int t = 0; t < partCount; t++) {
       parent[t] = t;
       corners[t] = 3;
     }
+    if (order == DiagonalOrder.LONGEST_FIRST) {
+      removeLongestFirst(mostVertices);
+    } else if (order == DiagonalOrder.SHORTEST_FIRST) {
+      removeShortestFirst(mostVertices);
+    } else {
+      removeAsFound(mostVertices);
+    }
+    if (partCount < bestCount) {
+      keep();
+    }
+    return partCount;
   }
 
-  private int collect(Order order) {
-    int count = 0;
-    for (int h = 0; h < mesh.halfEdgeCount(); h++) {
-      if (h < mesh.twin(h)) {
-        diagonal[count++] = h;
-        key[h] = order == Order.LONGEST_FIRST ? -squaredLength(h) : squaredLength(h);
+  private void removeAsFound(int mostVertices) {
+    for (int k = 0; k < diagonalCount; k++) {
+      tryRemove(diagonal[k], mostVertices);
+    }
+  }
+
+  private void removeShortestFirst(int mostVertices) {
+    sort();
+    for (int k = 0; k < diagonalCount; k++) {
+      tryRemove(diagonal[shortestFirst[k]], mostVertices);
+    }
+  }
+
+  /** Backwards, but diagonals of the same length in the order in which they were found. */
+  private void removeLongestFirst(int mostVertices) {
+    sort();
+    int end = diagonalCount;
+    while (end > 0) {
+      int start = end - 1;
+      double length = squaredLength[shortestFirst[start]];
+      while (start > 0 && squaredLength[shortestFirst[start - 1]] == length) {
+        start--;
       }
+      for (int k = start; k < end; k++) {
+        tryRemove(diagonal[shortestFirst[k]], mostVertices);
+      }
+      end = start;
     }
-    if (order != Order.AS_FOUND) {
-      SortedIndices.sort(diagonal, count, key, key, scratch);
-    }
-    return count;
   }
 
-  private double squaredLength(int h) {
-    int a = mesh.vertex(h);
-    int b = mesh.vertex(TriangleMesh.following(h));
-    double dx = xy[2 * b] - xy[2 * a];
-    double dy = xy[2 * b + 1] - xy[2 * a + 1];
-    return dx * dx + dy * dy;
+  private void sort() {
+    if (shortestFirst == null) {
+      shortestFirst = byLength.ascending(squaredLength, diagonalCount);
+    }
   }
 
   private int root(int p) {
@@ -121,14 +173,17 @@ final class HertelMehlhorn {
 
   private void tryRemove(int h, int mostVertices) {
     int t = mesh.twin(h);
-    int own = root(part[h]);
-    int other = root(part[t]);
-    if (own == other) {
+    int atStart = turn(before[h], after[t]);
+    if (atStart < 0) {
       return;
     }
-    int atStart = turn(before[h], after[t]);
     int atEnd = turn(before[t], after[h]);
-    if (atStart < 0 || atEnd < 0) {
+    if (atEnd < 0) {
+      return;
+    }
+    int own = root(h / 3);
+    int other = root(t / 3);
+    if (own == other) {
       return;
     }
     int united = corners[own] + corners[other] - 4 + atStart + atEnd;
@@ -152,30 +207,39 @@ final class HertelMehlhorn {
   /** Turn at the vertex where half-edge h ends and the next one starts. */
   private int turn(int h, int next) {
     return Predicates.orientation(
-        xy, mesh.vertex(h), mesh.vertex(next), mesh.vertex(TriangleMesh.following(next)));
+        xy, mesh.vertex(h), mesh.vertex(next), mesh.vertex(following[next]));
   }
 
-  /** The parts of the last merge. */
-  ConvexParts parts() {
+  private void keep() {
+    bestCount = partCount;
+    int[] swap = bestAfter;
+    bestAfter = after;
+    after = swap;
+    swap = bestBefore;
+    bestBefore = before;
+    before = swap;
+  }
+
+  /** The parts of the first of the merges since {@link #begin} that gave the fewest. */
+  ConvexParts fewestParts() {
     int n = mesh.halfEdgeCount();
-    double[] out = new double[2 * n];
-    int[] starts = new int[partCount + 1];
-    boolean[] done = new boolean[n];
+    Arrays.fill(done, 0, n, false);
     int size = 0;
+    int[] starts = new int[bestCount + 1];
     int count = 0;
     for (int h = 0; h < n; h++) {
-      if (done[h] || after[h] < 0) {
+      if (done[h] || bestAfter[h] < 0) {
         continue;
       }
       int e = h;
       do {
         done[e] = true;
-        if (turn(before[e], e) != 0) {
+        if (turn(bestBefore[e], e) != 0) {
           out[2 * size] = xy[2 * mesh.vertex(e)];
           out[2 * size + 1] = xy[2 * mesh.vertex(e) + 1];
           size++;
         }
-        e = after[e];
+        e = bestAfter[e];
       } while (e != h);
       starts[++count] = size;
     }

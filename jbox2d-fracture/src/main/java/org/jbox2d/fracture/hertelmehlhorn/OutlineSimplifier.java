@@ -3,7 +3,6 @@ package org.jbox2d.fracture.hertelmehlhorn;
 import java.util.Arrays;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.geometry.OutlineCheck;
-import org.jbox2d.fracture.geometry.OutlineDefect;
 
 /**
  * Rounds an outline to floats and takes from it what is finer than a resolution.
@@ -23,6 +22,7 @@ final class OutlineSimplifier {
    */
   private static final double FARTHEST = 1.5;
 
+  private final OutlineCheck check = new OutlineCheck();
   private double[] ring = new double[64];
   private int size;
   private double resolution;
@@ -54,8 +54,8 @@ final class OutlineSimplifier {
     return isSound(rounded) ? rounded : outline;
   }
 
-  private static boolean isSound(Outline outline) {
-    return OutlineCheck.ofTouching(outline).defect() == OutlineDefect.NONE && outline.isNormal();
+  private boolean isSound(Outline outline) {
+    return check.run(outline, true) && outline.isNormal();
   }
 
   private static Outline rounded(Outline outline) {

@@ -11,32 +11,51 @@ import org.jbox2d.fracture.voronoi.Delaunay;
  * crossing one, are inside. All decisions are exact, so it succeeds for every simple outline; holes
  * and rings that touch in vertices are no special case.
  *
+ * <p>It also fails for every outline whose edges meet where they may not: at any time there is a
+ * plane subdivision with straight edges, since only diagonals of strictly convex quadrilaterals are
+ * flipped. So if each edge of the outline has become an edge of its own there, no two of them share
+ * more than an end; and no vertex is repeated within its ring, which is looked at.
+ *
  * <p>Source: S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
  * Computers &amp; Structures 47 (1993). The last step there, restoring the Delaunay property beside
  * the new edges, is left out: the diagonals are removed again anyway.
  */
 public final class DelaunayTriangulator implements Triangulator {
+  /** States of a directed edge; others are the half-edge of the mesh it has become. */
+  private static final int UNSEEN = -1;
+
+  private static final int UNBOUNDED = -2;
+
   private final Delaunay delaunay = new Delaunay();
   private boolean[] constrained = new boolean[0];
-  private boolean[] inside = new boolean[0];
+  private int[] state = new int[0];
   private int[] queue = new int[0];
+
+  /** For each vertex the directed edge that the edge of the outline to it has become. */
+  private int[] edgeTo = new int[0];
+
+  /** For each rank the last ring that has been found to pass through it. */
+  private int[] ringAt = new int[0];
+
+  @Override
+  public boolean refusesCrossings() {
+    return true;
+  }
 
   @Override
   public boolean triangulate(Outline outline, TriangleMesh mesh) {
     delaunay.compute(outline.coordinates(), outline.vertexCount());
-    int edges = delaunay.edgeEnd();
-    if (queue.length < edges) {
-      constrained = new boolean[2 * edges];
-      inside = new boolean[2 * edges];
-      queue = new int[2 * edges];
+    prepare(outline.vertexCount());
+    if (delaunay.count() < 3
+        || (delaunay.count() < outline.vertexCount() && anyRepeated(outline))) {
+      return false;
     }
-    Arrays.fill(constrained, 0, edges, false);
-    Arrays.fill(inside, 0, edges, false);
     for (int r = 0; r < outline.ringCount(); r++) {
       int last = delaunay.rankOfSite(outline.ringEnd(r) - 1);
       for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
         int next = delaunay.rankOfSite(i);
-        if (!force(last, next)) {
+        edgeTo[i] = force(last, next);
+        if (edgeTo[i] < 0) {
           return false;
         }
         last = next;
@@ -45,24 +64,59 @@ public final class DelaunayTriangulator implements Triangulator {
     return collect(outline, mesh);
   }
 
+  private void prepare(int vertices) {
+    int edges = delaunay.edgeEnd();
+    if (queue.length < edges) {
+      constrained = new boolean[2 * edges];
+      state = new int[2 * edges];
+      queue = new int[2 * edges];
+    }
+    if (edgeTo.length < vertices) {
+      edgeTo = new int[2 * vertices];
+      ringAt = new int[2 * vertices];
+    }
+    Arrays.fill(constrained, 0, edges, false);
+    Arrays.fill(state, 0, edges, UNSEEN);
+  }
+
+  /** Whether a ring passes through a point twice. */
+  private boolean anyRepeated(Outline outline) {
+    Arrays.fill(ringAt, 0, delaunay.count(), -1);
+    for (int r = 0; r < outline.ringCount(); r++) {
+      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
+        int rank = delaunay.rankOfSite(i);
+        if (ringAt[rank] == r) {
+          return true;
+        }
+        ringAt[rank] = r;
+      }
+    }
+    return false;
+  }
+
   // ---- constraints ----
 
-  /** Makes a-b an edge and marks it; false if a vertex lies on it. */
-  private boolean force(int a, int b) {
+  /**
+   * Makes a-b an edge and marks it.
+   *
+   * @return the edge, or -1 if a vertex lies on a-b, or it crosses or is an edge of the outline
+   */
+  private int force(int a, int b) {
     int e = find(a, b);
     if (e < 0) {
       int crossing = queueCrossing(a, b);
       if (crossing < 0) {
-        return false;
+        return -1;
       }
       flipAway(a, b, crossing);
       e = find(a, b);
     }
-    if (e >= 0) {
-      constrained[e] = true;
-      constrained[e ^ 1] = true;
+    if (e < 0 || constrained[e]) {
+      return -1;
     }
-    return e >= 0;
+    constrained[e] = true;
+    constrained[e ^ 1] = true;
+    return e;
   }
 
   private int find(int a, int b) {
@@ -151,55 +205,58 @@ public final class DelaunayTriangulator implements Triangulator {
 
   private boolean collect(Outline outline, TriangleMesh mesh) {
     mesh.clear();
+    markUnboundedFace();
     int count = 0;
-    for (int r = 0; r < outline.ringCount(); r++) {
-      int last = delaunay.rankOfSite(outline.ringEnd(r) - 1);
-      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
-        int next = delaunay.rankOfSite(i);
-        count = enter(find(last, next), count, mesh);
-        if (count < 0) {
+    for (int i = 0; i < outline.vertexCount(); i++) {
+      int e = edgeTo[i];
+      if (state[e] < 0) {
+        if (state[e] == UNBOUNDED) {
           return false;
         }
-        last = next;
+        enter(e, mesh);
+        queue[count++] = e;
       }
     }
     for (int k = 0; k < count; k++) {
       int e = queue[k];
       for (int side = 0; side < 3; side++) {
         if (!constrained[e]) {
-          count = enter(e ^ 1, count, mesh);
-          if (count < 0) {
-            return false;
+          int across = e ^ 1;
+          if (state[across] < 0) {
+            if (state[across] == UNBOUNDED) {
+              return false;
+            }
+            enter(across, mesh);
+            queue[count++] = across;
           }
+          mesh.linkTwins(state[e], state[across]);
         }
         e = delaunay.nextLeft(e);
       }
     }
-    return mesh.link(outline.vertexCount());
+    return true;
   }
 
-  /**
-   * Adds the triangle left of e unless it has been; returns the new length of the queue, or -1 if
-   * there is no triangle.
-   */
-  private int enter(int e, int count, TriangleMesh mesh) {
-    if (inside[e]) {
-      return count;
-    }
+  private void markUnboundedFace() {
+    int hull = delaunay.hullEdge();
+    int e = hull;
+    do {
+      state[e] = UNBOUNDED;
+      e = delaunay.nextLeft(e);
+    } while (e != hull);
+  }
+
+  /** Adds the triangle left of e. */
+  private void enter(int e, TriangleMesh mesh) {
     int f = delaunay.nextLeft(e);
     int g = delaunay.nextLeft(f);
-    if (delaunay.nextLeft(g) != e
-        || turn(delaunay.origin(e), delaunay.origin(f), delaunay.origin(g)) <= 0) {
-      return -1;
-    }
-    inside[e] = true;
-    inside[f] = true;
-    inside[g] = true;
+    int h = mesh.halfEdgeCount();
+    state[e] = h;
+    state[f] = h + 1;
+    state[g] = h + 2;
     mesh.add(
         delaunay.siteOfRank(delaunay.origin(e)),
         delaunay.siteOfRank(delaunay.origin(f)),
         delaunay.siteOfRank(delaunay.origin(g)));
-    queue[count] = e;
-    return count + 1;
   }
 }

@@ -18,11 +18,15 @@ public final class TriangleMesh {
     count = 0;
   }
 
-  /** Adds a counter-clockwise triangle. */
+  /** Adds a counter-clockwise triangle; its half-edges know no twins until they are linked. */
   public void add(int a, int b, int c) {
     if (count + 3 > vertex.length) {
       vertex = Arrays.copyOf(vertex, 2 * vertex.length);
+      twin = Arrays.copyOf(twin, vertex.length);
     }
+    twin[count] = -1;
+    twin[count + 1] = -1;
+    twin[count + 2] = -1;
     vertex[count++] = a;
     vertex[count++] = b;
     vertex[count++] = c;
@@ -48,9 +52,15 @@ public final class TriangleMesh {
     return h % 3 == 2 ? h - 2 : h + 1;
   }
 
-  /** The half-edge on the other side, or -1; see {@link #link}. */
+  /** The half-edge on the other side, or -1; see {@link #link} and {@link #linkTwins}. */
   public int twin(int h) {
     return twin[h];
+  }
+
+  /** Makes two half-edges that run between the same vertices, in opposite directions, twins. */
+  void linkTwins(int h, int k) {
+    twin[h] = k;
+    twin[k] = h;
   }
 
   /**
@@ -64,8 +74,7 @@ public final class TriangleMesh {
     if (start.length < vertexCount + 1) {
       start = new int[2 * vertexCount + 1];
     }
-    if (twin.length < count) {
-      twin = new int[vertex.length];
+    if (fan.length < count) {
       fan = new int[vertex.length];
     }
     Arrays.fill(start, 0, vertexCount + 1, 0);

@@ -15,4 +15,13 @@ public interface Triangulator {
    * @return whether it succeeded; if not, the mesh is undefined
    */
   boolean triangulate(Outline outline, TriangleMesh mesh);
+
+  /**
+   * Whether {@link #triangulate} also takes any outline and fails if and only if edges meet others
+   * than their neighbours, or the outline is not normal: then no one needs to look for crossings
+   * before.
+   */
+  default boolean refusesCrossings() {
+    return false;
+  }
 }
