@@ -16,6 +16,7 @@ public final class GlassGame {
   private static final float STEP = 1f / 60;
 
   private final World world = new World(new Vec2(0, -9.81f));
+  private final Material glass = Material.GLASS.copy();
   private float due;
   private int score;
 
@@ -24,6 +25,7 @@ public final class GlassGame {
     floor.setAsBox(40, 1, new Vec2(0, -1), 0);
     world.createBody(new BodyDef()).createFixture(floor, 0);
 
+    glass.m_rigidity = 20;
     for (int i = 0; i < 4; i++) {
       addPane(5 * i, 3);
     }
@@ -38,7 +40,7 @@ public final class GlassGame {
     fixture.shape = pane;
     fixture.density = 1;
     fixture.friction = 0.6f;
-    fixture.material = Material.GLASS;
+    fixture.material = glass;
     body(x, y).createFixture(fixture);
   }
 
