@@ -37,8 +37,8 @@ public class Manifold {
   public int pointCount;
 
   /**
-   * Engine-internal: whether the one point lies beyond the end of the face, so that two vertices
-   * are opposite each other and the normal is not that of their distance.
+   * Engine-internal: whether the one point is at a vertex: that of a polygon or edge which a circle
+   * touches, or two that lie opposite each other beyond the ends of their faces.
    */
   public boolean corner;
 

@@ -55,9 +55,11 @@ final class ContactGather {
     d[o + RADIUS_A] = c.m_radiusA;
     d[o + RADIUS_B] = c.m_radiusB;
     d[o + P_REST] = restDepth(c, step);
-    // Bodies that rest closer than their skins would catch on the corner of the next tile.
-    boolean catches = manifold.corner && step.skinShare > 0f;
-    cc.manifoldPoints[i] = catches ? 0 : manifold.pointCount;
+    // Polygons that rest closer than their skins would catch on the corner of the next tile.
+    boolean corner = manifold.corner && step.skinShare > 0f;
+    boolean polygons = c.m_skin == c.m_radiusA + c.m_radiusB;
+    cc.manifoldPoints[i] = corner && polygons ? 0 : manifold.pointCount;
+    cc.corner[i] = corner;
     int centreOfPlane = oA + 2;
     int centreOfPoints = oB + 2;
     switch (manifold.type) {

@@ -22,6 +22,7 @@ public final class EdgeCircle {
   public static void collide(
       Manifold manifold, EdgeShape edge, Transform xfA, CircleShape circle, Transform xfB) {
     manifold.pointCount = 0;
+    manifold.corner = false;
     Vec2 p = circle.m_p;
     float gx = (xfB.p.x - xfA.p.x) + (xfB.q.c * p.x - xfB.q.s * p.y);
     float gy = (xfB.p.y - xfA.p.y) + (xfB.q.s * p.x + xfB.q.c * p.y);
@@ -74,6 +75,7 @@ public final class EdgeCircle {
     float dy = cy - vertex.y;
     if (dx * dx + dy * dy <= radius * radius) {
       CircleCircle.writeRoundContact(manifold, vertex, localCenter);
+      manifold.corner = true;
     }
   }
 }

@@ -30,6 +30,7 @@ public final class PolygonCircle {
   public static void collide(
       Manifold manifold, PolygonShape polygon, Transform xfA, CircleShape circle, Transform xfB) {
     manifold.pointCount = 0;
+    manifold.corner = false;
     Vec2 p = circle.m_p;
     float gx = (xfB.p.x - xfA.p.x) + (xfB.q.c * p.x - xfB.q.s * p.y);
     float gy = (xfB.p.y - xfA.p.y) + (xfB.q.s * p.x + xfB.q.c * p.y);
@@ -98,6 +99,7 @@ public final class PolygonCircle {
     manifold.type = Manifold.ManifoldType.FACE_A;
     manifold.localNormal.set(dx * inverse, dy * inverse);
     CircleCircle.writeSinglePoint(manifold, vertex, localCenter);
+    manifold.corner = true;
     return true;
   }
 }

@@ -121,7 +121,7 @@ final class BounceKernel {
     float tangent = Math.max(-most, Math.min(most, -d[o + TANGENT_MASS] * vt));
     push(d, c, v, a, b, tangent * tx, tangent * ty, d[o + RT_A], d[o + RT_B], tangent);
     cc.sub[S_STRIDE * i + S_NORMAL_SUM + point] += normal;
-    cc.sub[S_STRIDE * i + S_TANGENT_SUM + point] += tangent;
+    cc.sub[S_STRIDE * i + S_TANGENT_SUM] += tangent;
   }
 
   private static void push(

@@ -58,13 +58,17 @@ public final class ContactConstraints {
   public static final int K12 = 1;
   public static final int K22 = 2;
 
-  public static final int S_STRIDE = 6;
+  public static final int S_STRIDE = 8;
 
-  // Substep record, for solvers with substeps: separation of each point in the current substep (m),
-  // and its impulses summed over the substeps.
+  // Substep record, for solvers with substeps: separation of each point in the current substep (m);
+  // impulses summed over the substeps, along the normal for each point, along the tangent for both;
+  // change of the normal impulses for each unit of friction that keeps both normal speeds, and the
+  // effective mass along the tangent that goes with it.
   public static final int S_SEPARATION = 0;
   public static final int S_NORMAL_SUM = 2;
   public static final int S_TANGENT_SUM = 4;
+  public static final int S_HOLD = 5;
+  public static final int S_HELD_TANGENT_MASS = 7;
 
   public static final int P_STRIDE = 16;
 
@@ -107,6 +111,13 @@ public final class ContactConstraints {
   public int[] manifoldPoints = new int[0];
 
   public int[] kind = new int[0];
+
+  /**
+   * For solvers with substeps: whether the one point is at a vertex. Such a contact begins to act
+   * where the bodies would rest: seen before that, it would hold back what rolls past.
+   */
+  public boolean[] corner = new boolean[0];
+
   public float[] vel = new float[0];
   public float[] pos = new float[0];
   public float[] block = new float[0];
@@ -122,6 +133,7 @@ public final class ContactConstraints {
     pointCount = Arrays.copyOf(pointCount, capacity);
     manifoldPoints = Arrays.copyOf(manifoldPoints, capacity);
     kind = Arrays.copyOf(kind, capacity);
+    corner = Arrays.copyOf(corner, capacity);
     vel = Arrays.copyOf(vel, V_STRIDE * capacity);
     pos = Arrays.copyOf(pos, P_STRIDE * capacity);
     block = Arrays.copyOf(block, K_STRIDE * capacity);

@@ -18,6 +18,9 @@ public final class ContactPreparation {
    */
   private static final float MAX_CONDITION = 1000f;
 
+  /** Share of the tangent's own term below which what the normals leave of it is rounding. */
+  private static final float LEAST_HELD = 1e-4f;
+
   private ContactPreparation() {}
 
   /**
@@ -41,12 +44,47 @@ public final class ContactPreparation {
    */
   static boolean prepareSubsteps(ContactConstraints cc, SolverBodies bodies, int from, int to) {
     boolean bounces = false;
+    Arrays.fill(cc.sub, S_STRIDE * from, S_STRIDE * to, 0f);
     for (int i = from; i < to; i++) {
       prepare(cc, bodies, i);
+      if (cc.pointCount[i] == 2) {
+        joinFriction(cc, i);
+      }
+      if (cc.corner[i] && cc.vel[V_STRIDE * i + POINT + BIAS] > 0f) {
+        cc.pointCount[i] = 0;
+      }
       bounces |= cc.vel[V_STRIDE * i + RESTITUTION] > 0f;
     }
-    Arrays.fill(cc.sub, S_STRIDE * from, S_STRIDE * to, 0f);
     return bounces;
+  }
+
+  /**
+   * Makes one row of the friction of both points, and eliminates the normals from it: with friction
+   * T goes {@code N = -K^-1 k T}, k the coupling of normals and tangent, so that the tangent speed
+   * gains {@code (ktt - k . K^-1 k) T}.
+   */
+  private static void joinFriction(ContactConstraints cc, int i) {
+    float[] d = cc.vel;
+    int vo = V_STRIDE * i;
+    int o1 = vo + POINT;
+    int o2 = o1 + POINT_STRIDE;
+    float iA = d[vo + INV_I_A];
+    float iB = d[vo + INV_I_B];
+    float rtA = d[o1 + RT_A];
+    float rtB = d[o1 + RT_B];
+    float k1 = iA * d[o1 + RN_A] * rtA + iB * d[o1 + RN_B] * rtB;
+    float k2 = iA * d[o2 + RN_A] * rtA + iB * d[o2 + RN_B] * rtB;
+    float hold1 = -(d[vo + M11] * k1 + d[vo + M12] * k2);
+    float hold2 = -(d[vo + M12] * k1 + d[vo + M22] * k2);
+    float plain = d[vo + INV_MASS_A] + d[vo + INV_MASS_B] + iA * rtA * rtA + iB * rtB * rtB;
+    float held = plain + k1 * hold1 + k2 * hold2;
+    boolean holds = held > LEAST_HELD * plain;
+    int so = S_STRIDE * i;
+    cc.sub[so + S_HOLD] = holds ? hold1 : 0f;
+    cc.sub[so + S_HOLD + 1] = holds ? hold2 : 0f;
+    cc.sub[so + S_HELD_TANGENT_MASS] = holds ? 1f / held : d[o1 + TANGENT_MASS];
+    d[o1 + TANGENT_IMPULSE] += d[o2 + TANGENT_IMPULSE];
+    d[o2 + TANGENT_IMPULSE] = 0f;
   }
 
   private static void prepare(ContactConstraints cc, SolverBodies bodies, int i) {

@@ -22,8 +22,10 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  * t the turns, to second order for the corners of polygons. A circle's lowest point stays below its
  * centre, so between circles turning changes nothing.
  *
- * <p>Friction first, then the two normals of a face at once as in {@link ContactVelocityKernel}:
- * softness scales the inverse of the 2 x 2 matrix as it does a single effective mass.
+ * <p>The two normals of a face are solved at once as in {@link ContactVelocityKernel}; softness
+ * scales the inverse of the 2 x 2 matrix as it does a single effective mass. Friction of both
+ * points acts along one line, so it is one row, bounded by the sum of the normal impulses; its
+ * impulse is kept at the first point.
  */
 final class SoftContactKernel {
   /** Of contacts between bodies that move, and with those that do not. */
@@ -38,7 +40,13 @@ final class SoftContactKernel {
   private static final float SETTLED_SLOPS = 2f;
 
   /** Least separation met in the last push, m. */
-  float least;
+  private float least;
+
+  /** Largest speed at which a point closed faster than it may, as the last push met it, m/s. */
+  float closing;
+
+  /** Largest normal speed that the last relax pass took away, m/s. */
+  float changed;
 
   /**
    * Sets what the passes of a substep share.
@@ -69,6 +77,7 @@ final class SoftContactKernel {
     float[] x = bodies.delta;
     float[] sub = cc.sub;
     float deepest = 0f;
+    float fastest = 0f;
     for (int i = from; i < to; i++) {
       int c = V_STRIDE * i;
       int a = SolverBodies.STRIDE * cc.bodyA[i];
@@ -83,11 +92,7 @@ final class SoftContactKernel {
       float bias2 = 0f;
       for (int j = 0; j < n; j++) {
         int o = c + POINT + POINT_STRIDE * j;
-        float s =
-            d[o + BIAS]
-                + along
-                + turnB * (d[o + RN_B] + square * turnB * d[o + RT_B])
-                - turnA * (d[o + RN_A] + square * turnA * d[o + RT_A]);
+        float s = separation(d, o, along, turnA, turnB, square);
         sub[S_STRIDE * i + S_SEPARATION + j] = s;
         deepest = s < deepest ? s : deepest;
         float bias;
@@ -103,42 +108,90 @@ final class SoftContactKernel {
           bias2 = bias;
         }
       }
+      float e = 0f;
       if (n == 2) {
-        solveTwo(
-            d, c, v, a, b, cc.block, K_STRIDE * i, bias1, bias2, soft.massScale, soft.impulseScale);
+        e =
+            pushTwo(
+                d,
+                c,
+                v,
+                a,
+                b,
+                sub,
+                S_STRIDE * i,
+                cc.block,
+                K_STRIDE * i,
+                bias1,
+                bias2,
+                soft.massScale,
+                soft.impulseScale);
       } else if (n == 1) {
-        solveOne(d, c, v, a, b, bias1, soft.massScale, soft.impulseScale);
+        e = pushOne(d, c, v, a, b, bias1, soft.massScale, soft.impulseScale);
       }
+      fastest = e < fastest ? e : fastest;
     }
+    closing = -fastest;
     least = deepest;
   }
 
-  /** Relaxes constraints {@code [from, to)} and adds their impulses up. */
-  void relax(ContactConstraints cc, SolverBodies bodies, int from, int to) {
+  /**
+   * Relaxes constraints {@code [from, to)} and adds their impulses up.
+   *
+   * @param again whether this substep's impulses have been added up before, so that only what
+   *     changes is added
+   */
+  void relax(ContactConstraints cc, SolverBodies bodies, int from, int to, boolean again) {
     float[] d = cc.vel;
     float[] v = bodies.vel;
     float[] sub = cc.sub;
+    float fastest = 0f;
     for (int i = from; i < to; i++) {
       int c = V_STRIDE * i;
       int u = S_STRIDE * i;
+      int o1 = c + POINT;
       int a = SolverBodies.STRIDE * cc.bodyA[i];
       int b = SolverBodies.STRIDE * cc.bodyB[i];
-      float s1 = sub[u + S_SEPARATION];
-      float bias1 = s1 > 0f ? s1 * invH : 0f;
-      if (cc.pointCount[i] == 2) {
-        float s2 = sub[u + S_SEPARATION + 1];
-        float bias2 = s2 > 0f ? s2 * invH : 0f;
-        solveTwo(d, c, v, a, b, cc.block, K_STRIDE * i, bias1, bias2, 1f, 0f);
-        sub[u + S_NORMAL_SUM + 1] += d[c + POINT + POINT_STRIDE + NORMAL_IMPULSE];
-        sub[u + S_TANGENT_SUM + 1] += d[c + POINT + POINT_STRIDE + TANGENT_IMPULSE];
-      } else if (cc.pointCount[i] == 1) {
-        solveOne(d, c, v, a, b, bias1, 1f, 0f);
+      int n = cc.pointCount[i];
+      float normal = again ? d[o1 + NORMAL_IMPULSE] : 0f;
+      float tangent = again ? d[o1 + TANGENT_IMPULSE] : 0f;
+      float e;
+      if (n == 2) {
+        int o2 = o1 + POINT_STRIDE;
+        float normal2 = again ? d[o2 + NORMAL_IMPULSE] : 0f;
+        float bias1 = sub[u + S_SEPARATION] > 0f ? room(cc, bodies, i, a, b, 0) : 0f;
+        float bias2 = sub[u + S_SEPARATION + 1] > 0f ? room(cc, bodies, i, a, b, 1) : 0f;
+        e = relaxTwo(d, c, v, a, b, sub, u, cc.block, K_STRIDE * i, bias1, bias2);
+        sub[u + S_NORMAL_SUM + 1] += d[o2 + NORMAL_IMPULSE] - normal2;
+      } else if (n == 1) {
+        float bias = sub[u + S_SEPARATION] > 0f ? room(cc, bodies, i, a, b, 0) : 0f;
+        e = relaxOne(d, c, v, a, b, bias);
       } else {
         continue;
       }
-      sub[u + S_NORMAL_SUM] += d[c + POINT + NORMAL_IMPULSE];
-      sub[u + S_TANGENT_SUM] += d[c + POINT + TANGENT_IMPULSE];
+      sub[u + S_NORMAL_SUM] += d[o1 + NORMAL_IMPULSE] - normal;
+      sub[u + S_TANGENT_SUM] += d[o1 + TANGENT_IMPULSE] - tangent;
+      fastest = e > fastest ? e : fastest;
     }
+    changed = fastest;
+  }
+
+  /** Speed at which a point may come nearer: what is left of its separation, over the substep. */
+  private float room(ContactConstraints cc, SolverBodies bodies, int i, int a, int b, int point) {
+    float[] x = bodies.delta;
+    float[] d = cc.vel;
+    int c = V_STRIDE * i;
+    float along = (x[b] - x[a]) * d[c + NX] + (x[b + 1] - x[a + 1]) * d[c + NY];
+    float square = cc.kind[i] == CIRCLES ? 0f : 0.5f;
+    float s = separation(d, c + POINT + POINT_STRIDE * point, along, x[a + 2], x[b + 2], square);
+    return s > 0f ? s * invH : 0f;
+  }
+
+  private static float separation(
+      float[] d, int o, float along, float turnA, float turnB, float square) {
+    return d[o + BIAS]
+        + along
+        + turnB * (d[o + RN_B] + square * turnB * d[o + RT_B])
+        - turnA * (d[o + RN_A] + square * turnA * d[o + RT_A]);
   }
 
   private static float clamp(float x, float limit) {
@@ -148,7 +201,7 @@ final class SoftContactKernel {
     return x < -limit ? -limit : x;
   }
 
-  private static void solveOne(
+  private static float pushOne(
       float[] d,
       int c,
       float[] v,
@@ -204,14 +257,24 @@ final class SoftContactKernel {
     v[oB] = vBx + mB * jn * nx;
     v[oB + 1] = vBy + mB * jn * ny;
     v[oB + 2] = wB + iB * jn * rnB;
+    return vn + bias;
   }
 
-  private static void solveTwo(
+  /**
+   * Friction, then the normals. {@code so}: substep record, {@code ko}: block record.
+   *
+   * <p>While both points push, they hold the angle between the bodies; so friction comes with the
+   * change of the normal impulses that leaves the normal speeds as they are. Alone it would turn
+   * the bodies until its points stand still, and be taken for enough.
+   */
+  private static float pushTwo(
       float[] d,
       int c,
       float[] v,
       int oA,
       int oB,
+      float[] sub,
+      int so,
       float[] block,
       int ko,
       float bias1,
@@ -232,45 +295,42 @@ final class SoftContactKernel {
     float wB = v[oB + 2];
     int o1 = c + POINT;
     int o2 = c + POINT + POINT_STRIDE;
-    float a1 = d[o1 + NORMAL_IMPULSE];
-    float a2 = d[o2 + NORMAL_IMPULSE];
-    float friction = d[c + FRICTION];
-    float speed = d[c + TANGENT_SPEED];
-
-    // Friction at point 1, then at point 2
-    float rtA = d[o1 + RT_A];
-    float rtB = d[o1 + RT_B];
-    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
-    float oldT = d[o1 + TANGENT_IMPULSE];
-    float newT = clamp(oldT - d[o1 + TANGENT_MASS] * vt, friction * a1);
-    d[o1 + TANGENT_IMPULSE] = newT;
-    float jt = newT - oldT;
-    vAx -= mA * jt * ny;
-    vAy += mA * jt * nx;
-    wA -= iA * jt * rtA;
-    vBx += mB * jt * ny;
-    vBy -= mB * jt * nx;
-    wB += iB * jt * rtB;
-
-    rtA = d[o2 + RT_A];
-    rtB = d[o2 + RT_B];
-    vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
-    oldT = d[o2 + TANGENT_IMPULSE];
-    newT = clamp(oldT - d[o2 + TANGENT_MASS] * vt, friction * a2);
-    d[o2 + TANGENT_IMPULSE] = newT;
-    jt = newT - oldT;
-    vAx -= mA * jt * ny;
-    vAy += mA * jt * nx;
-    wA -= iA * jt * rtA;
-    vBx += mB * jt * ny;
-    vBy -= mB * jt * nx;
-    wB += iB * jt * rtB;
-
-    // Normals: e = vn + bias, x = (1 - impulseScale) a - massScale K^-1 e if both push
     float rn1A = d[o1 + RN_A];
     float rn1B = d[o1 + RN_B];
     float rn2A = d[o2 + RN_A];
     float rn2B = d[o2 + RN_B];
+    float a1 = d[o1 + NORMAL_IMPULSE];
+    float a2 = d[o2 + NORMAL_IMPULSE];
+
+    // Friction along t = (ny, -nx)
+    float rtA = d[o1 + RT_A];
+    float rtB = d[o1 + RT_B];
+    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - d[c + TANGENT_SPEED];
+    float oldT = d[o1 + TANGENT_IMPULSE];
+    float limit = d[c + FRICTION] * (a1 + a2);
+    float newT = clamp(oldT - sub[so + S_HELD_TANGENT_MASS] * vt, limit);
+    float jt = newT - oldT;
+    float j1 = sub[so + S_HOLD] * jt;
+    float j2 = sub[so + S_HOLD + 1] * jt;
+    if (!(a1 + j1 >= 0f && a2 + j2 >= 0f)) {
+      newT = clamp(oldT - d[o1 + TANGENT_MASS] * vt, limit);
+      jt = newT - oldT;
+      j1 = 0f;
+      j2 = 0f;
+    }
+    d[o1 + TANGENT_IMPULSE] = newT;
+    a1 += j1;
+    a2 += j2;
+    float px = jt * ny + (j1 + j2) * nx;
+    float py = (j1 + j2) * ny - jt * nx;
+    vAx -= mA * px;
+    vAy -= mA * py;
+    wA -= iA * (jt * rtA + j1 * rn1A + j2 * rn2A);
+    vBx += mB * px;
+    vBy += mB * py;
+    wB += iB * (jt * rtB + j1 * rn1B + j2 * rn2B);
+
+    // Normals: e = vn + bias, x = (1 - impulseScale) a - massScale K^-1 e if both push
     float along = (vBx - vAx) * nx + (vBy - vAy) * ny;
     float e1 = massScale * (along + wB * rn1B - wA * rn1A + bias1);
     float e2 = massScale * (along + wB * rn2B - wA * rn2A + bias2);
@@ -281,16 +341,14 @@ final class SoftContactKernel {
     // The other index sets in turn, of the problem w = K x - K (x1, x2): only 1 pushes, only 2,
     // none.
     if (!(x1 >= 0f && x2 >= 0f)) {
-      float k11 = block[ko + K11];
       float k12 = block[ko + K12];
-      float k22 = block[ko + K22];
-      float q1 = k11 * x1 + k12 * x2;
-      float q2 = k12 * x1 + k22 * x2;
-      x1 = q1 / k11;
+      float q1 = block[ko + K11] * x1 + k12 * x2;
+      float q2 = k12 * x1 + block[ko + K22] * x2;
+      x1 = q1 / block[ko + K11];
       x2 = 0f;
       if (!(x1 >= 0f && k12 * x1 >= q2)) {
         x1 = 0f;
-        x2 = q2 / k22;
+        x2 = q2 / block[ko + K22];
         if (!(x2 >= 0f && k12 * x2 >= q1)) {
           boolean separating = q1 <= 0f && q2 <= 0f;
           x1 = separating ? 0f : a1;
@@ -300,8 +358,8 @@ final class SoftContactKernel {
     }
     d[o1 + NORMAL_IMPULSE] = x1;
     d[o2 + NORMAL_IMPULSE] = x2;
-    float j1 = x1 - a1;
-    float j2 = x2 - a2;
+    j1 = x1 - a1;
+    j2 = x2 - a2;
     float j = j1 + j2;
     v[oA] = vAx - mA * j * nx;
     v[oA + 1] = vAy - mA * j * ny;
@@ -309,5 +367,152 @@ final class SoftContactKernel {
     v[oB] = vBx + mB * j * nx;
     v[oB + 1] = vBy + mB * j * ny;
     v[oB + 2] = wB + iB * (j1 * rn1B + j2 * rn2B);
+    return e1 < e2 ? e1 : e2;
+  }
+
+  /** Normal, then friction: it is bounded by the normal impulse without what pushing added. */
+  private static float relaxOne(float[] d, int c, float[] v, int oA, int oB, float bias) {
+    float mA = d[c + INV_MASS_A];
+    float iA = d[c + INV_I_A];
+    float mB = d[c + INV_MASS_B];
+    float iB = d[c + INV_I_B];
+    float nx = d[c + NX];
+    float ny = d[c + NY];
+    float vAx = v[oA];
+    float vAy = v[oA + 1];
+    float wA = v[oA + 2];
+    float vBx = v[oB];
+    float vBy = v[oB + 1];
+    float wB = v[oB + 2];
+    int o = c + POINT;
+
+    float rnA = d[o + RN_A];
+    float rnB = d[o + RN_B];
+    float vn = (vBx - vAx) * nx + (vBy - vAy) * ny + wB * rnB - wA * rnA;
+    float oldN = d[o + NORMAL_IMPULSE];
+    float newN = oldN - d[c + M11] * (vn + bias);
+    if (newN < 0f) {
+      newN = 0f;
+    }
+    d[o + NORMAL_IMPULSE] = newN;
+    float jn = newN - oldN;
+    vAx -= mA * jn * nx;
+    vAy -= mA * jn * ny;
+    wA -= iA * jn * rnA;
+    vBx += mB * jn * nx;
+    vBy += mB * jn * ny;
+    wB += iB * jn * rnB;
+
+    float rtA = d[o + RT_A];
+    float rtB = d[o + RT_B];
+    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - d[c + TANGENT_SPEED];
+    float oldT = d[o + TANGENT_IMPULSE];
+    float newT = clamp(oldT - d[o + TANGENT_MASS] * vt, d[c + FRICTION] * newN);
+    d[o + TANGENT_IMPULSE] = newT;
+    float jt = newT - oldT;
+    v[oA] = vAx - mA * jt * ny;
+    v[oA + 1] = vAy + mA * jt * nx;
+    v[oA + 2] = wA - iA * jt * rtA;
+    v[oB] = vBx + mB * jt * ny;
+    v[oB + 1] = vBy - mB * jt * nx;
+    v[oB + 2] = wB + iB * jt * rtB;
+    return newN == oldN ? 0f : Math.abs(vn + bias);
+  }
+
+  /** As {@link #pushTwo}, the normals first, as in {@link #relaxOne}. */
+  private static float relaxTwo(
+      float[] d,
+      int c,
+      float[] v,
+      int oA,
+      int oB,
+      float[] sub,
+      int so,
+      float[] block,
+      int ko,
+      float bias1,
+      float bias2) {
+    float mA = d[c + INV_MASS_A];
+    float iA = d[c + INV_I_A];
+    float mB = d[c + INV_MASS_B];
+    float iB = d[c + INV_I_B];
+    float nx = d[c + NX];
+    float ny = d[c + NY];
+    float vAx = v[oA];
+    float vAy = v[oA + 1];
+    float wA = v[oA + 2];
+    float vBx = v[oB];
+    float vBy = v[oB + 1];
+    float wB = v[oB + 2];
+    int o1 = c + POINT;
+    int o2 = c + POINT + POINT_STRIDE;
+    float rn1A = d[o1 + RN_A];
+    float rn1B = d[o1 + RN_B];
+    float rn2A = d[o2 + RN_A];
+    float rn2B = d[o2 + RN_B];
+    float a1 = d[o1 + NORMAL_IMPULSE];
+    float a2 = d[o2 + NORMAL_IMPULSE];
+
+    // Normals
+    float along = (vBx - vAx) * nx + (vBy - vAy) * ny;
+    float e1 = along + wB * rn1B - wA * rn1A + bias1;
+    float e2 = along + wB * rn2B - wA * rn2A + bias2;
+    float x1 = a1 - (d[c + M11] * e1 + d[c + M12] * e2);
+    float x2 = a2 - (d[c + M12] * e1 + d[c + M22] * e2);
+    if (!(x1 >= 0f && x2 >= 0f)) {
+      // As in pushTwo.
+      float k12 = block[ko + K12];
+      float q1 = block[ko + K11] * x1 + k12 * x2;
+      float q2 = k12 * x1 + block[ko + K22] * x2;
+      x1 = q1 / block[ko + K11];
+      x2 = 0f;
+      if (!(x1 >= 0f && k12 * x1 >= q2)) {
+        x1 = 0f;
+        x2 = q2 / block[ko + K22];
+        if (!(x2 >= 0f && k12 * x2 >= q1)) {
+          boolean separating = q1 <= 0f && q2 <= 0f;
+          x1 = separating ? 0f : a1;
+          x2 = separating ? 0f : a2;
+        }
+      }
+    }
+    float j1 = x1 - a1;
+    float j2 = x2 - a2;
+    float j = j1 + j2;
+    vAx -= mA * j * nx;
+    vAy -= mA * j * ny;
+    wA -= iA * (j1 * rn1A + j2 * rn2A);
+    vBx += mB * j * nx;
+    vBy += mB * j * ny;
+    wB += iB * (j1 * rn1B + j2 * rn2B);
+
+    // Friction
+    float rtA = d[o1 + RT_A];
+    float rtB = d[o1 + RT_B];
+    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - d[c + TANGENT_SPEED];
+    float oldT = d[o1 + TANGENT_IMPULSE];
+    float limit = d[c + FRICTION] * (x1 + x2);
+    float newT = clamp(oldT - sub[so + S_HELD_TANGENT_MASS] * vt, limit);
+    float jt = newT - oldT;
+    j1 = sub[so + S_HOLD] * jt;
+    j2 = sub[so + S_HOLD + 1] * jt;
+    if (!(x1 + j1 >= 0f && x2 + j2 >= 0f)) {
+      newT = clamp(oldT - d[o1 + TANGENT_MASS] * vt, limit);
+      jt = newT - oldT;
+      j1 = 0f;
+      j2 = 0f;
+    }
+    d[o1 + TANGENT_IMPULSE] = newT;
+    d[o1 + NORMAL_IMPULSE] = x1 + j1;
+    d[o2 + NORMAL_IMPULSE] = x2 + j2;
+    float px = jt * ny + (j1 + j2) * nx;
+    float py = (j1 + j2) * ny - jt * nx;
+    v[oA] = vAx - mA * px;
+    v[oA + 1] = vAy - mA * py;
+    v[oA + 2] = wA - iA * (jt * rtA + j1 * rn1A + j2 * rn2A);
+    v[oB] = vBx + mB * px;
+    v[oB + 1] = vBy + mB * py;
+    v[oB + 2] = wB + iB * (jt * rtB + j1 * rn1B + j2 * rn2B);
+    return x1 == a1 && x2 == a2 ? 0f : Math.max(Math.abs(e1), Math.abs(e2));
   }
 }

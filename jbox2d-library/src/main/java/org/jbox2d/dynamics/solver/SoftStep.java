@@ -37,6 +37,12 @@ public final class SoftStep {
   /** Largest speed at which overlap is removed, m/s. */
   private static final float MOST_PUSH = 3f;
 
+  /** Bound of the passes over contacts and joints that hinder each other, in a substep. */
+  private static final int MOST_PUSHES = 16;
+
+  /** Way by which a point may close in a substep before there is another pass, in slops. */
+  private static final float HARMLESS_SLOPS = 0.5f;
+
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
   private final JointRows joints;
@@ -104,11 +110,9 @@ public final class SoftStep {
         accelerate(slots, b0, b1);
       }
       ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
-      solveJoints(j0, j1);
-      contactKernel.push(contacts, bodies, c0, c1);
+      push(c0, c1, j0, j1);
       move(slots, b0, b1, j0 < j1);
-      solveJoints(j0, j1);
-      contactKernel.relax(contacts, bodies, c0, c1);
+      relax(c0, c1, j0, j1);
       jointsSettled = correctJoints(j0, j1, slots, b0, b1);
       sub.next();
     }
@@ -141,6 +145,35 @@ public final class SoftStep {
   private static void scaleImpulses(float[] d, int o, float factor) {
     d[o + NORMAL_IMPULSE] *= factor;
     d[o + TANGENT_IMPULSE] *= factor;
+  }
+
+  /**
+   * Solves joints and pushes contacts: once, or where contacts and joints hinder each other until
+   * no point closes by more than is harmless in the substep. A blow on a body that a joint holds is
+   * passed to and fro between the two; what is left of it would carry the body into what it hit.
+   */
+  private void push(int c0, int c1, int j0, int j1) {
+    solveJoints(j0, j1);
+    contactKernel.push(contacts, bodies, c0, c1);
+    float harmless = HARMLESS_SLOPS * sub.linearSlop * sub.invDt;
+    for (int n = 1; j0 < j1 && n < MOST_PUSHES && contactKernel.closing > harmless; n++) {
+      solveJoints(j0, j1);
+      contactKernel.push(contacts, bodies, c0, c1);
+    }
+  }
+
+  /**
+   * Solves joints and relaxes contacts, as often as {@link #push} for the same reason; what is left
+   * stays for the next step.
+   */
+  private void relax(int c0, int c1, int j0, int j1) {
+    solveJoints(j0, j1);
+    contactKernel.relax(contacts, bodies, c0, c1, false);
+    float harmless = HARMLESS_SLOPS * sub.linearSlop * sub.invStep;
+    for (int n = 1; j0 < j1 && n < MOST_PUSHES && contactKernel.changed > harmless; n++) {
+      solveJoints(j0, j1);
+      contactKernel.relax(contacts, bodies, c0, c1, true);
+    }
   }
 
   // --- Bodies ---
@@ -255,6 +288,7 @@ public final class SoftStep {
     for (int i = c0; i < c1; i++) {
       scaleImpulses(d, V_STRIDE * i + POINT, substeps);
       scaleImpulses(d, V_STRIDE * i + POINT + POINT_STRIDE, substeps);
+      shareFriction(i);
     }
   }
 
@@ -264,11 +298,26 @@ public final class SoftStep {
    */
   public void sumImpulses(int n) {
     for (int i = 0; i < n; i++) {
+      int s = S_STRIDE * i;
       for (int j = 0; j < contacts.pointCount[i]; j++) {
-        int o = V_STRIDE * i + POINT + POINT_STRIDE * j;
-        contacts.vel[o + NORMAL_IMPULSE] = contacts.sub[S_STRIDE * i + S_NORMAL_SUM + j];
-        contacts.vel[o + TANGENT_IMPULSE] = contacts.sub[S_STRIDE * i + S_TANGENT_SUM + j];
+        contacts.vel[V_STRIDE * i + POINT + POINT_STRIDE * j + NORMAL_IMPULSE] =
+            contacts.sub[s + S_NORMAL_SUM + j];
       }
+      contacts.vel[V_STRIDE * i + POINT + TANGENT_IMPULSE] = contacts.sub[s + S_TANGENT_SUM];
+      shareFriction(i);
+    }
+  }
+
+  /** Gives each point of a contact its share of the friction, as its normal impulse is. */
+  private void shareFriction(int i) {
+    if (contacts.pointCount[i] == 2) {
+      float[] d = contacts.vel;
+      int o1 = V_STRIDE * i + POINT;
+      int o2 = o1 + POINT_STRIDE;
+      float sum = d[o1 + NORMAL_IMPULSE] + d[o2 + NORMAL_IMPULSE];
+      float both = d[o1 + TANGENT_IMPULSE];
+      d[o2 + TANGENT_IMPULSE] = sum > 0f ? both * d[o2 + NORMAL_IMPULSE] / sum : 0f;
+      d[o1 + TANGENT_IMPULSE] = both - d[o2 + TANGENT_IMPULSE];
     }
   }
 }
