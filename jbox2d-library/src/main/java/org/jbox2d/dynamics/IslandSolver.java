@@ -68,6 +68,7 @@ final class IslandSolver {
     if (substeps) {
       profile.solveVelocity.startAccum();
       solveSubsteps(step, solver);
+      profile.cappedVelocities = soft.capped();
       profile.solveVelocity.accumElapsed();
     } else {
       profile.solveVelocity.startAccum();

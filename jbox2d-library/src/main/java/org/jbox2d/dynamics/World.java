@@ -182,7 +182,6 @@ public class World {
       step.velocityTime = 1f;
       step.skinShare = 0.5f;
       step.maxTranslation = Float.MAX_VALUE;
-      step.maxRotation = Float.MAX_VALUE;
     }
   }
 

@@ -11,6 +11,10 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  *   <li><b>Loads on contacts.</b> A contact that carries the impulse P in a step gives way by
  *       {@code P / (m n)} times a time that follows from its softness, m its effective mass: much
  *       where a heavy body stands on a light one, or a high pile on its lowest.
+ *   <li><b>Spin in contact.</b> A body that turns far in a substep meets its contacts where they no
+ *       longer are.
+ *   <li><b>Cold contacts.</b> Where most contacts have not carried anything yet, there are no
+ *       impulses to start from.
  *   <li><b>Loads on joints.</b> One pass leaves an error of the order of {@code P / m h} of a joint
  *       that carries a load much heavier than its own bodies, a chain with a weight at its end; it
  *       falls as the square of n.
@@ -29,6 +33,12 @@ public final class Effort {
 
   /** Way that a contact may give, in slops. */
   private static final float CONTACT_SLOPS = 1f;
+
+  /** Substeps where most contacts carry nothing yet. */
+  private static final float COLD_SUBSTEPS = 4f;
+
+  /** Turn of a body in contact that is allowed in a substep, rad. */
+  private static final float MOST_TURN = 0.2f;
 
   /**
    * Error of a chain's end for each {@code P / m h} of its heaviest loaded joint: measured on
@@ -55,16 +65,25 @@ public final class Effort {
   /** Returns the substeps that contacts {@code [c0, c1)} ask for; may be 0, or huge. */
   public float ofContacts(int c0, int c1, StepConfig step) {
     float[] d = contacts.vel;
+    float[] v = bodies.vel;
     float worst = 0f;
+    float spin = 0f;
+    int idle = 0;
     for (int i = c0; i < c1; i++) {
       int o = V_STRIDE * i;
+      spin = Math.max(spin, Math.abs(v[SolverBodies.STRIDE * contacts.bodyA[i] + 2]));
+      spin = Math.max(spin, Math.abs(v[SolverBodies.STRIDE * contacts.bodyB[i] + 2]));
       float impulse = d[o + POINT + NORMAL_IMPULSE];
       if (contacts.manifoldPoints[i] == 2) {
         impulse += d[o + POINT + POINT_STRIDE + NORMAL_IMPULSE];
       }
+      idle += impulse > 0f ? 0 : 1;
       worst = Math.max(worst, impulse * (d[o + INV_MASS_A] + d[o + INV_MASS_B]));
     }
-    return CONTACT_TIME * worst / (CONTACT_SLOPS * step.linearSlop);
+    float loaded = CONTACT_TIME * worst / (CONTACT_SLOPS * step.linearSlop);
+    float turned = spin * step.dt / MOST_TURN;
+    float cold = 2 * idle > c1 - c0 ? COLD_SUBSTEPS : 0f;
+    return Math.max(cold, Math.max(loaded, turned));
   }
 
   /** Returns the substeps that joints {@code [j0, j1)} ask for; may be 0, or huge. */

@@ -50,6 +50,7 @@ public final class SoftStep {
   private final StepConfig sub = new StepConfig();
 
   private boolean jointsSettled;
+  private int capped;
 
   /** Places where bodies were when the step began: x, y, angle, unused. */
   private float[] start = new float[0];
@@ -62,6 +63,7 @@ public final class SoftStep {
 
   /** Begins a step: the bodies have been gathered. */
   public void begin() {
+    capped = 0;
     int n = bodies.count;
     if (start.length < SolverBodies.STRIDE * n) {
       start = new float[bodies.pos.length];
@@ -111,6 +113,9 @@ public final class SoftStep {
       }
       ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
       push(c0, c1, j0, j1);
+      if (c0 < c1) {
+        capSpins(slots, b0, b1, step);
+      }
       move(slots, b0, b1, j0 < j1);
       relax(c0, c1, j0, j1);
       jointsSettled = correctJoints(j0, j1, slots, b0, b1);
@@ -118,6 +123,11 @@ public final class SoftStep {
     }
     end(slots, b0, b1, c0, c1, j0, j1, substeps);
     return jointsSettled && contactKernel.settled();
+  }
+
+  /** How many velocities were capped in this step's substeps. */
+  public int capped() {
+    return capped;
   }
 
   /** Whether the joints of the last island ended within tolerance. */
@@ -200,6 +210,22 @@ public final class SoftStep {
     }
     if (angular != 0f) {
       v[o + 2] /= 1f + h * angular;
+    }
+  }
+
+  /**
+   * Keeps bodies that touch others from turning further in a step than the arms of their contacts,
+   * which are those of its start, have a meaning for.
+   */
+  private void capSpins(int[] slots, int b0, int b1, StepConfig step) {
+    float most = step.maxRotation * step.invDt;
+    for (int k = b0; k < b1; k++) {
+      int o = SolverBodies.STRIDE * slots[k] + 2;
+      float w = bodies.vel[o];
+      if (Math.abs(w) > most) {
+        bodies.vel[o] = w > 0f ? most : -most;
+        capped++;
+      }
     }
   }
 
