@@ -22,6 +22,14 @@ final class AccuracyCharts {
     new Color(0x3B8F4A),
     new Color(0x7A6A53)
   };
+
+  /** Scenes whose error is drawn against the rate of steps. */
+  private static final List<String> CONVERGENCE =
+      List.of("double_pendulum", "pendulum_period", "rod_fall", "free_fall");
+
+  /** What is drawn. */
+  static final List<String> NAMES = names();
+
   private static final Color FRONT = new Color(0xB0B0B0);
 
   private static final String COST = "thread time of a simulated second, ms (geometric mean)";
@@ -34,18 +42,36 @@ final class AccuracyCharts {
     this.directory = directory;
   }
 
+  private static List<String> names() {
+    List<String> names = new ArrayList<>();
+    names.add("error-against-cost");
+    names.add("failures-against-cost");
+    names.add("failures");
+    CONVERGENCE.forEach(scene -> names.add("convergence-" + scene));
+    return names;
+  }
+
   static Color colour(Contender solver) {
     return COLOURS[solver.ordinal() % COLOURS.length];
+  }
+
+  /** A colour of its own for a scene; lighter for each further solver. */
+  static Color shade(int scene, Contender solver) {
+    Color base = COLOURS[scene % COLOURS.length];
+    int k = 60 * solver.ordinal();
+    return new Color(
+        Math.min(255, base.getRed() + k),
+        Math.min(255, base.getGreen() + k),
+        Math.min(255, base.getBlue() + k));
   }
 
   void draw() throws IOException {
     List<Summary> all = results.summaries();
     errorAgainstCost(all);
     failuresAgainstCost(all);
-    convergence("double_pendulum");
-    convergence("pendulum_period");
-    convergence("rod_fall");
-    convergence("free_fall");
+    for (String scene : CONVERGENCE) {
+      convergence(scene);
+    }
     new HeatMap(results.rows()).write(directory.resolve("failures.svg"));
   }
 

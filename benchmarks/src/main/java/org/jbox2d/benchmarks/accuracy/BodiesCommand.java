@@ -20,6 +20,7 @@ import org.jbox2d.benchmarks.scenes.Breaking;
 import org.jbox2d.benchmarks.scenes.Jointed;
 import org.jbox2d.benchmarks.scenes.Piles;
 import org.jbox2d.benchmarks.scenes.SteppedScene;
+import org.knowm.xchart.style.Styler.LegendPosition;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -70,6 +71,9 @@ final class BodiesCommand implements Callable<Integer> {
     PrintStream out = System.out;
     Files.createDirectories(directory);
     List<String> lines = new ArrayList<>(List.of("scene,solver,bodies,step_ms"));
+    Drawing each =
+        new Drawing("Time of a step for each body", "bodies", "thread time, microseconds a body");
+    each.numbers("#,##0", "0.#").legend(LegendPosition.OutsideE);
     for (Shape shape : Shape.values()) {
       Drawing drawing =
           new Drawing("Step time: " + shape.label, "bodies", "thread time of a step, ms");
@@ -90,15 +94,18 @@ final class BodiesCommand implements Callable<Integer> {
             lines.add(line);
           }
         }
-        drawing.line(
-            solver.label,
-            points.stream().mapToDouble(p -> p[0]).toArray(),
-            points.stream().mapToDouble(p -> p[1]).toArray(),
-            AccuracyCharts.colour(solver),
-            !solver.ours);
+        double[] x = points.stream().mapToDouble(p -> p[0]).toArray();
+        double[] y = points.stream().mapToDouble(p -> p[1]).toArray();
+        drawing.line(solver.label, x, y, AccuracyCharts.colour(solver), !solver.ours);
+        if (solver.ours) {
+          double[] micros = points.stream().mapToDouble(p -> 1000 * p[1] / p[0]).toArray();
+          String name = shape.label + ", " + solver.label;
+          each.line(name, x, micros, AccuracyCharts.shade(shape.ordinal(), solver), false);
+        }
       }
       drawing.write(directory.resolve("bodies-" + shape.label + ".svg"));
     }
+    each.write(directory.resolve("bodies-each.svg"));
     Files.writeString(directory.resolve("bodies.csv"), String.join("\n", lines) + "\n");
     return 0;
   }

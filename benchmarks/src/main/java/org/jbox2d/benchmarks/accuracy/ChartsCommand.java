@@ -3,7 +3,6 @@ package org.jbox2d.benchmarks.accuracy;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import org.jbox2d.benchmarks.engines.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -11,7 +10,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "charts",
     mixinStandardHelpOptions = true,
-    description = "Draws the charts of the results in a directory and prints their tables.")
+    description = "Draws the charts of the results in a directory and writes their tables.")
 final class ChartsCommand implements Callable<Integer> {
   @Option(names = "--directory", description = "Where accuracy.csv is and the charts go.")
   private Path directory = Path.of("docs/charts/accuracy");
@@ -20,13 +19,7 @@ final class ChartsCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Results results = Results.read(directory.resolve(Results.FILE));
     new AccuracyCharts(results, directory).draw();
-    System.out.println("| solver | setting | Hz | failed | error | cost, ms/s |");
-    System.out.println("|---|---|--:|--:|--:|--:|");
-    for (Summary s : results.summaries()) {
-      if (s.setting().hz() == Setting.STANDARD.hz()) {
-        System.out.println(s.row());
-      }
-    }
+    new Tables(results).write(directory.resolve("README.md"));
     return 0;
   }
 }

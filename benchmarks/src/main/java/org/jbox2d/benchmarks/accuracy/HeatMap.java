@@ -20,7 +20,7 @@ final class HeatMap {
   private static final int ROW = 12;
   private static final int GAP = 8;
   private static final int LEFT = 150;
-  private static final int TOP = 96;
+  private static final int TOP = 116;
 
   /** Greatest error over limit of each shade; the last is for all above. */
   private static final double[] BOUNDS = {0.1, 1, 10};
@@ -105,7 +105,7 @@ final class HeatMap {
   private int heads(StringBuilder text) {
     int x = LEFT;
     for (Contender solver : solvers) {
-      label(text, x, TOP - 60, "start", solver.label);
+      label(text, x, 36, "start", solver.label);
       for (Setting setting : settings.get(solver)) {
         text.append(
             String.format(

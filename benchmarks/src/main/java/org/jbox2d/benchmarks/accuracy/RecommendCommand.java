@@ -23,8 +23,8 @@ final class RecommendCommand implements Callable<Integer> {
   @Option(names = "--error", required = true, description = "Greatest error that will do.")
   private double error;
 
-  @Option(names = "--results", description = "Results of a run.")
-  private Path file = Path.of("docs/charts/accuracy").resolve(Results.FILE);
+  @Option(names = "--results", description = "Results of a run; those of the last if left out.")
+  private Path file;
 
   @Option(names = "--measure", description = "Measure now instead of reading results.")
   private boolean measure;
@@ -32,7 +32,8 @@ final class RecommendCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Scene wanted = Suite.named(scene);
-    Results results = measure ? measured(wanted) : Results.read(file);
+    Results results =
+        measure ? measured(wanted) : file == null ? Results.last() : Results.read(file);
     Optional<Result> best = cheapest(results, wanted, error);
     System.out.println(
         best.map(RecommendCommand::describe).orElse("no setting meets " + error + " in " + scene));

@@ -1,6 +1,8 @@
 package org.jbox2d.benchmarks.accuracy;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -48,13 +50,27 @@ final class Results {
     Files.writeString(file, String.join("\n", lines) + "\n");
   }
 
-  /** Reads a file of a run. Scenes that are no more are left out. */
+  /** Reads the results that are packed with this class. */
+  static Results last() throws IOException {
+    try (InputStream in = Results.class.getResourceAsStream(FILE)) {
+      if (in == null) {
+        throw new IOException("no results are packed: give a file, or measure");
+      }
+      return parse(new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList(), FILE);
+    }
+  }
+
+  /** Reads a file of a run. */
   static Results read(Path file) throws IOException {
+    return parse(Files.readAllLines(file), file.toString());
+  }
+
+  /** Scenes that are no more are left out. */
+  private static Results parse(List<String> lines, String file) throws IOException {
     Map<String, Scene> scenes = new LinkedHashMap<>();
     Suite.common().forEach(s -> scenes.put(s.name(), s));
     Suite.fracture().forEach(s -> scenes.put(s.name(), s));
     Results results = new Results();
-    List<String> lines = Files.readAllLines(file);
     if (lines.isEmpty() || !lines.get(0).equals(HEAD)) {
       throw new IOException(file + " is not a file of results");
     }

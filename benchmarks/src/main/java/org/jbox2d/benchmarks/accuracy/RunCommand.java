@@ -60,6 +60,7 @@ final class RunCommand implements Callable<Integer> {
     results.summaries().forEach(s -> out.println(s.line()));
     if (!standard) {
       new AccuracyCharts(results, directory).draw();
+      new Tables(results).write(directory.resolve("README.md"));
     }
     return 0;
   }

@@ -15,6 +15,9 @@ final class Box2dBody implements SimBody {
   final Body body;
   double pressed;
 
+  /** For what the engine copies: timed scenes are not to allocate. */
+  private final Vec2 scratch = new Vec2();
+
   Box2dBody(Body body) {
     this.body = body;
     body.setUserData(this);
@@ -73,14 +76,16 @@ final class Box2dBody implements SimBody {
 
   @Override
   public SimBody move(double vx, double vy, double w) {
-    body.setLinearVelocity(Box2dSim.vec(vx, vy));
+    scratch.set((float) vx, (float) vy);
+    body.setLinearVelocity(scratch);
     body.setAngularVelocity((float) w);
     return this;
   }
 
   @Override
   public SimBody place(double x, double y) {
-    body.setTransform(Box2dSim.vec(x, y), 0f);
+    scratch.set((float) x, (float) y);
+    body.setTransform(scratch, 0f);
     return this;
   }
 
@@ -99,7 +104,8 @@ final class Box2dBody implements SimBody {
 
   @Override
   public void push(double fx, double fy) {
-    body.applyForceToCenter(Box2dSim.vec(fx, fy));
+    scratch.set((float) fx, (float) fy);
+    body.applyForceToCenter(scratch);
   }
 
   @Override

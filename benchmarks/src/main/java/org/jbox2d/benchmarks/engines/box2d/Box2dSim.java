@@ -144,10 +144,10 @@ public class Box2dSim implements Sim {
 
   @Override
   public final void step(double dt) {
-    for (Box2dBody body : pressed) {
-      body.pressed = 0;
+    if (!pressed.isEmpty()) {
+      pressed.forEach(body -> body.pressed = 0);
+      pressed.clear();
     }
-    pressed.clear();
     world.step((float) dt, velocityIterations, positionIterations);
   }
 
