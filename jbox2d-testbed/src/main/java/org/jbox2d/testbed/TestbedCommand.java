@@ -19,7 +19,9 @@ import org.jbox2d.testbed.scenes.Scenes;
 import org.jbox2d.testbed.simulation.Setup;
 import org.jbox2d.testbed.simulation.Simulation;
 import org.jbox2d.testbed.simulation.SolverChoice;
+import org.jbox2d.testbed.ui.Screenshots;
 import org.jbox2d.testbed.ui.TestbedWindow;
+import org.jbox2d.testbed.ui.WindowSettings;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -58,7 +60,10 @@ final class TestbedCommand implements Callable<Integer> {
   @Option(names = "--list", description = "Print the scenes and what they show.")
   private boolean list;
 
-  @Option(names = "--scene", paramLabel = "NAME", description = "The scene; main if not given.")
+  @Option(
+      names = "--scene",
+      paramLabel = "NAME",
+      description = "The scene; if not given, main, or in the window the last one.")
   private String sceneName;
 
   @Option(names = "--steps", paramLabel = "N", description = "Number of steps; 600 if not given.")
@@ -105,6 +110,12 @@ final class TestbedCommand implements Callable<Integer> {
       description = "Repeat a recording and compare each step; the first that differs is told.")
   private Path replay;
 
+  @Option(
+      names = "--screenshots",
+      paramLabel = "DIR",
+      description = "Write pictures of the window in five scenes; needs a display.")
+  private Path screenshots;
+
   @Option(names = "--png", paramLabel = "FILE", description = "Write a picture of the end.")
   private Path png;
 
@@ -143,6 +154,9 @@ final class TestbedCommand implements Callable<Integer> {
       printScenes(out);
       return CommandLine.ExitCode.OK;
     }
+    if (screenshots != null) {
+      return writeScreenshots(out);
+    }
     if (replay != null) {
       return replay(out);
     }
@@ -153,7 +167,7 @@ final class TestbedCommand implements Callable<Integer> {
     }
     boolean asked = needsNoWindow();
     if (!GraphicsEnvironment.isHeadless() && !asked) {
-      TestbedWindow.open(setup);
+      TestbedWindow.open(setup, WindowSettings.ofUser());
       return CommandLine.ExitCode.OK;
     }
     RunRequest request = request(setup, asked ? png : DEFAULT_PNG);
@@ -162,6 +176,21 @@ final class TestbedCommand implements Callable<Integer> {
       out.flush();
     }
     return runHeadless(request, out);
+  }
+
+  private int writeScreenshots(PrintWriter out) {
+    if (GraphicsEnvironment.isHeadless()) {
+      throw wrong("--screenshots needs a display; xvfb-run gives a virtual one");
+    }
+    try {
+      Screenshots.write(screenshots);
+    } catch (IOException e) {
+      spec.commandLine().getErr().println("could not write: " + e.getMessage());
+      return CommandLine.ExitCode.SOFTWARE;
+    }
+    out.println("screenshots written to " + screenshots.toAbsolutePath().normalize());
+    out.flush();
+    return CommandLine.ExitCode.OK;
   }
 
   private boolean needsNoWindow() {
@@ -248,7 +277,9 @@ final class TestbedCommand implements Callable<Integer> {
 
   private Scene scene() {
     if (sceneName == null) {
-      return Scenes.first();
+      boolean window = !GraphicsEnvironment.isHeadless() && !needsNoWindow() && !parameters;
+      // A window opens where it was left; a run without one must not depend on that.
+      return window && settings.isEmpty() ? WindowSettings.ofUser().scene() : Scenes.first();
     }
     try {
       return Scenes.named(sceneName);

@@ -66,7 +66,7 @@ class CommandLineTest {
         "--headless --set rigidity=-1 | rigidity must be 0 to 500 N s, is -1",
         "--headless --set rigidity=NaN | rigidity must be 0 to 500 N s, is NaN",
         "--headless --set rigidity=soft | rigidity must be 0 to 500 N s, is 'soft'",
-        "--headless --set body-limit=2.5 | body-limit must be a whole number from 0 to 100000",
+        "--headless --set body-limit=2.5 | body-limit must be a whole number from 0 to 20000",
         "--headless --set sleeping=no | sleeping must be one of off, on, is 'no'",
         "--headless --solver best | solver must be one of sequential-impulses, soft-step, adaptive, is",
         "--replay nowhere.rec | --replay must be a file that --record has written",

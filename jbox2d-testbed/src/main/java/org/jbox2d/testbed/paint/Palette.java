@@ -68,6 +68,21 @@ public enum Palette {
     return new Color(0xe5484d);
   }
 
+  /** Returns the colour of the broad phase's boxes. */
+  public Color box() {
+    return new Color(0x9a86c9);
+  }
+
+  /** Returns the colour of Voronoi cells. */
+  public Color cell() {
+    return new Color(0x4fb4d8);
+  }
+
+  /** Returns the colour of where cells break away. */
+  public Color region() {
+    return new Color(0xe5b84d);
+  }
+
   /** Returns the colour that fills a body. */
   Color fill(BodyOutline outline, boolean awake) {
     if (outline.type == BodyType.STATIC && outline.material.isEmpty()) {

@@ -8,7 +8,6 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
-import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.testbed.simulation.BodyOutline;
 import org.jbox2d.testbed.simulation.Snapshot;
 
@@ -19,31 +18,33 @@ import org.jbox2d.testbed.simulation.Snapshot;
 public final class SnapshotPainter {
   private static final float EDGE_PIXELS = 1.1f;
   private static final float JOINT_PIXELS = 1.5f;
-  private static final double MARK_PIXELS = 4;
-
-  /** Length of the line for an impulse of 1 N s; it grows with the square root. */
-  private static final double IMPULSE_PIXELS = 10;
-
   private static final double GRID_METRES = 10;
 
   /** Below this many pixels between its lines the grid is left out. */
   private static final double GRID_MIN_PIXELS = 24;
 
   private final Palette palette;
+  private final DebugPainter debug;
   private final Path2D.Double area = new Path2D.Double(Path2D.WIND_NON_ZERO);
   private final Path2D.Double edges = new Path2D.Double();
 
   /** A painter with the given colours. */
   public SnapshotPainter(Palette palette) {
     this.palette = palette;
+    debug = new DebugPainter(palette);
   }
 
   /** Returns a picture of a snapshot. */
   public BufferedImage image(Snapshot snapshot, View view) {
+    return image(snapshot, view, Layers.USUAL);
+  }
+
+  /** Returns a picture of a snapshot with the given layers. */
+  public BufferedImage image(Snapshot snapshot, View view, Layers layers) {
     BufferedImage image =
         new BufferedImage(view.width(), view.height(), BufferedImage.TYPE_INT_RGB);
     Graphics2D g = image.createGraphics();
-    paint(g, snapshot, view, Layers.NONE);
+    paint(g, snapshot, view, layers);
     g.dispose();
     return image;
   }
@@ -55,17 +56,14 @@ public final class SnapshotPainter {
     g.setColor(palette.ground());
     g.fillRect(0, 0, view.width(), view.height());
     paintGrid(g, view);
-    g.setStroke(new BasicStroke(EDGE_PIXELS, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    g.setStroke(new BasicStroke(EDGE_PIXELS, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL));
     for (int i = 0; i < snapshot.bodyCount(); i++) {
-      paintBody(g, snapshot, i, view, layers.parts());
+      paintBody(g, snapshot, i, view, layers);
     }
-    paintJoints(g, snapshot, view);
-    if (layers.contacts()) {
-      paintContacts(g, snapshot, view);
+    if (layers.has(Layer.JOINTS)) {
+      paintJoints(g, snapshot, view);
     }
-    if (layers.centres()) {
-      paintCentres(g, snapshot, view);
-    }
+    debug.paint(g, snapshot, view, layers);
   }
 
   private void paintGrid(Graphics2D g, View view) {
@@ -84,23 +82,31 @@ public final class SnapshotPainter {
     }
   }
 
-  private void paintBody(Graphics2D g, Snapshot s, int body, View view, boolean inner) {
+  private void paintBody(Graphics2D g, Snapshot s, int body, View view, Layers layers) {
     BodyOutline outline = s.outline(body);
     Placement at = new Placement(s, body, view);
+    if (!at.sees(outline)) {
+      return;
+    }
+    boolean inner = layers.has(Layer.PARTS);
     area.reset();
     edges.reset();
     for (int p = 0; p < outline.partCount(); p++) {
       addPart(outline, p, at, inner);
     }
-    Color fill = palette.fill(outline, s.isAwake(body));
-    g.setColor(fill);
-    g.fill(area);
-    if (outline.partCount() > 1) {
-      // Anti-aliasing leaves a hair's breadth of the ground between parts that share an edge.
-      g.draw(area);
+    boolean lively = s.isAwake(body) || !layers.has(Layer.SLEEPING);
+    Color fill = palette.fill(outline, lively);
+    if (layers.has(Layer.SHAPES)) {
+      g.setColor(fill);
+      g.fill(area);
+      if (outline.partCount() > 1) {
+        // Anti-aliasing leaves a hair's breadth of the ground between parts that share an edge.
+        g.draw(area);
+      }
     }
-    g.setColor(palette.edge(outline, fill));
-    g.draw(edges);
+    g.setColor(layers.has(Layer.SHAPES) ? palette.edge(outline, fill) : fill);
+    // One closed path is drawn faster than as many single lines.
+    g.draw(outline.isOnePolygon() ? area : edges);
   }
 
   private void addPart(BodyOutline outline, int part, Placement at, boolean inner) {
@@ -156,34 +162,6 @@ public final class SnapshotPainter {
     }
   }
 
-  private void paintContacts(Graphics2D g, Snapshot s, View view) {
-    g.setColor(palette.contact());
-    g.setStroke(new BasicStroke(JOINT_PIXELS));
-    for (int i = 0; i < s.contactCount(); i++) {
-      double x = view.toPictureX(s.contact(i, 0));
-      double y = view.toPictureY(s.contact(i, 1));
-      double dx = s.contact(i, 2);
-      double dy = s.contact(i, 3);
-      double impulse = Math.hypot(dx, dy);
-      double length = impulse > 0 ? IMPULSE_PIXELS * Math.sqrt(impulse) / impulse : 0;
-      g.fill(mark(x, y));
-      g.draw(new Line2D.Double(x, y, x + dx * length, y - dy * length));
-    }
-  }
-
-  private void paintCentres(Graphics2D g, Snapshot s, View view) {
-    g.setColor(palette.text());
-    for (int i = 0; i < s.bodyCount(); i++) {
-      if (s.outline(i).type != BodyType.STATIC) {
-        g.fill(mark(view.toPictureX(s.centreX(i)), view.toPictureY(s.centreY(i))));
-      }
-    }
-  }
-
-  private static Ellipse2D mark(double x, double y) {
-    return new Ellipse2D.Double(x - MARK_PIXELS / 2, y - MARK_PIXELS / 2, MARK_PIXELS, MARK_PIXELS);
-  }
-
   /** Where a body is in the picture. */
   private static final class Placement {
     final View view;
@@ -198,6 +176,14 @@ public final class SnapshotPainter {
       sin = s.sin(body);
       px = s.x(body);
       py = s.y(body);
+    }
+
+    /** Whether any of a body may be in the picture. */
+    boolean sees(BodyOutline outline) {
+      double r = outline.reach() * view.scale();
+      double x = view.toPictureX(px);
+      double y = view.toPictureY(py);
+      return x + r >= 0 && y + r >= 0 && x - r <= view.width() && y - r <= view.height();
     }
 
     double x(BodyOutline outline, int vertex) {

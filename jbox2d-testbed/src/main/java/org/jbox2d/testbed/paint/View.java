@@ -62,4 +62,11 @@ public record View(double centreX, double centreY, double scale, int width, int 
     double factor = height > 0 ? (double) newHeight / height : 1;
     return new View(centreX, centreY, scale * factor, newWidth, newHeight);
   }
+
+  /** Returns the view of the same part of the world in a picture of another width. */
+  public View scaledTo(int newWidth) {
+    double factor = (double) newWidth / width;
+    int newHeight = (int) Math.round(height * factor);
+    return new View(centreX, centreY, scale * factor, newWidth, newHeight);
+  }
 }

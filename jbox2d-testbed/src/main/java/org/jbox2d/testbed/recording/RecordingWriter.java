@@ -58,6 +58,27 @@ public final class RecordingWriter implements Closeable {
     line("run");
   }
 
+  /**
+   * Writes a run that has been done already, by doing it again.
+   *
+   * @param inputs what was done to it
+   * @param steps how many steps it had
+   */
+  public static void write(Path file, Setup setup, List<TimedInput> inputs, int steps)
+      throws IOException {
+    Simulation run = new Simulation(setup);
+    try (RecordingWriter writer = new RecordingWriter(file, run)) {
+      int next = 0;
+      while (run.steps() < steps) {
+        while (next < inputs.size() && inputs.get(next).step() == run.steps()) {
+          run.apply(inputs.get(next++).input());
+        }
+        run.step();
+        writer.step(run);
+      }
+    }
+  }
+
   private void line(String line) throws IOException {
     out.write(line);
     out.write('\n');

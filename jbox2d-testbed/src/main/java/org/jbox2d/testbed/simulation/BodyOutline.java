@@ -50,6 +50,7 @@ public final class BodyOutline {
   /** See the class. */
   final boolean[] inner;
 
+  private final float reach;
   private final Fixture first;
   private final int fixtureCount;
 
@@ -71,6 +72,7 @@ public final class BodyOutline {
     x = Arrays.copyOf(collector.x, collector.vertices);
     y = Arrays.copyOf(collector.y, collector.vertices);
     inner = new boolean[collector.vertices];
+    reach = farthest();
     if (collector.parts > 1) {
       findInnerEdges();
     }
@@ -81,6 +83,26 @@ public final class BodyOutline {
     return first == body.getFixtureList()
         && fixtureCount == body.m_fixtureCount
         && type == body.getType();
+  }
+
+  private float farthest() {
+    float most = 0f;
+    for (int p = 0; p < radius.length; p++) {
+      for (int i = start[p]; i < start[p + 1]; i++) {
+        most = Math.max(most, (float) Math.sqrt(x[i] * x[i] + y[i] * y[i]) + radius[p]);
+      }
+    }
+    return most;
+  }
+
+  /** Returns how far from its origin it reaches at most, m. */
+  public float reach() {
+    return reach;
+  }
+
+  /** Returns whether it is a convex polygon and nothing else. */
+  public boolean isOnePolygon() {
+    return radius.length == 1 && start[1] > 2;
   }
 
   /** Returns the number of parts. */

@@ -21,7 +21,7 @@ import org.jbox2d.testbed.scenes.Scene;
 /** The parameters of every run; their defaults are what the scene has been built with. */
 final class Knobs {
   /** Limit of bodies that counts as none. */
-  private static final int MANY_BODIES = 100_000;
+  private static final int MANY_BODIES = 20_000;
 
   private static final int MANY_FRACTURES = 1000;
 

@@ -35,8 +35,8 @@ final class Overlay {
     {"x", "break at the pointer"},
     {"e", "explosion"},
     {"left, right", "back / forward"},
-    {"1 2 3", "parts, contacts, centres"},
-    {"p", "picture to a file"},
+    {"1 ... 9", "layers"},
+    {"h", "hide this text"},
   };
 
   private Overlay() {}
@@ -63,8 +63,8 @@ final class Overlay {
     return new String[] {key, String.format(Locale.ROOT, format, values)};
   }
 
-  /** Paints lines on a translucent ground; returns where they end, pixels. */
-  static int paint(Graphics2D g, List<String[]> lines) {
+  /** Paints lines on a translucent ground. */
+  static void paint(Graphics2D g, List<String[]> lines) {
     g.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     g.setFont(FONT);
@@ -85,7 +85,6 @@ final class Overlay {
       g.drawString(line[1], MARGIN + PADDING + COLUMN, y);
       y += height;
     }
-    return 2 * MARGIN + 2 * PADDING + lines.size() * height;
   }
 
   /** Paints a line in the middle, near the top. */

@@ -1,8 +1,11 @@
 package org.jbox2d.testbed.ui;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.Iterator;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -29,12 +32,18 @@ final class SimulationThread {
   /** How far back snapshots are kept, simulated s. */
   private static final float PAST_SECONDS = 10f;
 
+  /** Steps whose numbers are kept: some ten minutes. */
+  private static final int MOST_FIGURES = 40_000;
+
   private final BlockingQueue<Runnable> commands = new LinkedBlockingQueue<>();
   private final Consumer<Snapshot> listener;
   private final Thread thread;
 
   /** The last snapshots, the newest first. Guarded by itself. */
   private final Deque<Snapshot> past = new ArrayDeque<>();
+
+  /** Numbers of each step of the run, the oldest first. Guarded by {@link #past}. */
+  private final List<Snapshot.Counts> figures = new ArrayList<>();
 
   private volatile boolean going;
   private volatile boolean closed;
@@ -83,10 +92,20 @@ final class SimulationThread {
     }
   }
 
-  /** Returns how long the last steps took, ms, the newest first. */
-  double[] recentStepMillis(int most) {
+  /** Returns the snapshots that are kept, the oldest first. */
+  List<Snapshot> pastUpTo(int back) {
     synchronized (past) {
-      return past.stream().limit(most).mapToDouble(s -> s.counts().phases().step()).toArray();
+      List<Snapshot> kept = new ArrayList<>(past);
+      Collections.reverse(kept);
+      return kept.subList(0, Math.max(0, kept.size() - back));
+    }
+  }
+
+  /** Returns the numbers of the last steps, the newest last. */
+  List<Snapshot.Counts> figures(int most) {
+    synchronized (past) {
+      int from = Math.max(0, figures.size() - most);
+      return new ArrayList<>(figures.subList(from, figures.size()));
     }
   }
 
@@ -213,6 +232,7 @@ final class SimulationThread {
             });
     synchronized (past) {
       past.removeIf(snapshot -> snapshot.counts().steps() > again.steps());
+      figures.removeIf(counts -> counts.steps() > again.steps());
     }
     show(again, taker[0]);
   }
@@ -240,12 +260,18 @@ final class SimulationThread {
     synchronized (past) {
       if (fresh) {
         past.clear();
+        figures.clear();
         fresh = false;
       }
       Snapshot last = past.peekFirst();
       if (last != null && last.counts().steps() == snapshot.counts().steps()) {
         // A command changed the state between steps.
         past.removeFirst();
+        figures.remove(figures.size() - 1);
+      }
+      figures.add(snapshot.counts());
+      if (figures.size() > MOST_FIGURES) {
+        figures.subList(0, MOST_FIGURES / 4).clear();
       }
       past.addFirst(snapshot);
       while (past.size() > PAST_SECONDS * run.hz()) {

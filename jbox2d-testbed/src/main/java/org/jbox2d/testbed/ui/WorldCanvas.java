@@ -12,7 +12,6 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import org.jbox2d.testbed.paint.Layers;
@@ -34,36 +33,35 @@ final class WorldCanvas extends JComponent {
 
   private static final Color CUT = new Color(0xe5484d);
 
-  private final SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
-  private final Supplier<Snapshot> source;
-  private final Supplier<double[]> stepMillis;
-  private final Consumer<Input> commands;
-  private Framing framing;
-  private View view;
+  private static final long serialVersionUID = 1L;
+
+  private final transient SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
+  private final transient Supplier<Snapshot> source;
+  private final transient Consumer<Input> commands;
+  private transient Framing framing;
+  private transient View view;
   private Point mouse = new Point();
 
   /** Where a cut has begun, or {@code null}. */
   private Point cutStart;
 
   private String hint;
-  private Layers layers = Layers.NONE;
+  private transient Layers layers = Layers.USUAL;
+  private boolean overlay = true;
+
+  /** Whether the user has not moved the view, so that the whole scene is to stay in sight. */
+  private boolean untouched;
 
   /**
    * A canvas.
    *
    * @param source gives the snapshot to show, or {@code null} while there is none
-   * @param stepMillis gives how long the last steps took, the newest first
    * @param commands takes what is to be done to the world
    */
-  WorldCanvas(
-      Framing framing,
-      Supplier<Snapshot> source,
-      Supplier<double[]> stepMillis,
-      Consumer<Input> commands) {
+  WorldCanvas(Framing framing, Supplier<Snapshot> source, Consumer<Input> commands) {
     this.source = source;
-    this.stepMillis = stepMillis;
     this.commands = commands;
-    setPreferredSize(new Dimension(1200, 700));
+    setPreferredSize(new Dimension(760, 700));
     setFocusable(true);
     setOpaque(true);
     frame(framing);
@@ -83,6 +81,7 @@ final class WorldCanvas extends JComponent {
   /** Shows all of a part of the world. */
   void frame(Framing whole) {
     framing = whole;
+    untouched = true;
     Dimension size = getWidth() > 0 ? getSize() : getPreferredSize();
     view = View.of(framing, size.width, size.height);
     repaint();
@@ -99,9 +98,25 @@ final class WorldCanvas extends JComponent {
     repaint();
   }
 
-  /** Changes what is shown besides the bodies. */
-  void changeLayers(UnaryOperator<Layers> change) {
-    layers = change.apply(layers);
+  /** Returns the line at the top, or {@code null}. */
+  String hint() {
+    return hint;
+  }
+
+  /** Sets what is shown. */
+  void setLayers(Layers layers) {
+    this.layers = layers;
+    repaint();
+  }
+
+  /** Returns what is shown. */
+  Layers layers() {
+    return layers;
+  }
+
+  /** Shows or hides the text at the left. */
+  void toggleOverlay() {
+    overlay = !overlay;
     repaint();
   }
 
@@ -133,8 +148,12 @@ final class WorldCanvas extends JComponent {
 
   private void fit() {
     if (getWidth() > 0 && getHeight() > 0) {
-      view = view.resized(getWidth(), getHeight());
-      repaint();
+      if (untouched) {
+        frameAgain();
+      } else {
+        view = view.resized(getWidth(), getHeight());
+        repaint();
+      }
     }
   }
 
@@ -156,11 +175,11 @@ final class WorldCanvas extends JComponent {
     }
     Graphics2D g = (Graphics2D) graphics.create();
     painter.paint(g, snapshot, view, layers);
-    int below =
-        Overlay.paint(
-            g,
-            Overlay.lines(snapshot.counts(), view, view.toWorldX(mouse.x), view.toWorldY(mouse.y)));
-    StepPlot.paint(g, stepMillis.get(), below);
+    if (overlay) {
+      Overlay.paint(
+          g,
+          Overlay.lines(snapshot.counts(), view, view.toWorldX(mouse.x), view.toWorldY(mouse.y)));
+    }
     if (cutStart != null) {
       g.setColor(CUT);
       g.drawLine(cutStart.x, cutStart.y, mouse.x, mouse.y);
@@ -218,6 +237,7 @@ final class WorldCanvas extends JComponent {
     @Override
     public void mouseDragged(MouseEvent e) {
       if (SwingUtilities.isRightMouseButton(e)) {
+        untouched = false;
         view = view.dragged(e.getX() - mouse.x, e.getY() - mouse.y);
       }
       mouse = e.getPoint();
@@ -238,6 +258,7 @@ final class WorldCanvas extends JComponent {
     @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
       double factor = StrictMath.pow(WHEEL_FACTOR, -e.getPreciseWheelRotation());
+      untouched = false;
       view = view.zoomed(factor, e.getX(), e.getY());
       repaint();
     }

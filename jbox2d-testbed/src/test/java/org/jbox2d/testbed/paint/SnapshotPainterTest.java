@@ -57,7 +57,7 @@ class SnapshotPainterTest {
     SnapshotPainter painter = new SnapshotPainter(Palette.DARK);
     BufferedImage plain = painter.image(snapshot, view);
     BufferedImage parts = new BufferedImage(700, 700, BufferedImage.TYPE_INT_RGB);
-    painter.paint(parts.createGraphics(), snapshot, view, Layers.NONE.toggledParts());
+    painter.paint(parts.createGraphics(), snapshot, view, Layers.USUAL.toggled(Layer.PARTS));
     // Well inside of the foot and of the column, which together are concave.
     int fill = colour(plain, view, 17.2, 1);
     int seenEdges = 0;
