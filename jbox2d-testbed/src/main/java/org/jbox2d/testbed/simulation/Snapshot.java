@@ -105,7 +105,7 @@ public final class Snapshot {
     return jointLines[LINE * joint + coordinate];
   }
 
-  /** Returns the number of points of contact. */
+  /** Returns the number of points of contact; 0 if they were not asked for. */
   public int contactCount() {
     return contacts.length / CONTACT;
   }

@@ -17,7 +17,7 @@ import org.jbox2d.dynamics.joints.Joint;
  * the next, so that a snapshot costs little more than a copy of the transforms.
  */
 public final class SnapshotTaker {
-  private static final float[] NO_BOXES = {};
+  private static final float[] NONE = {};
 
   private final Simulation simulation;
   private final Vec2 anchor = new Vec2();
@@ -26,6 +26,7 @@ public final class SnapshotTaker {
   private Map<Body, BodyOutline> seen = new IdentityHashMap<>();
   private int nextId;
   private boolean withBoxes;
+  private boolean withContacts = true;
 
   /** Takes snapshots of the given run. */
   public SnapshotTaker(Simulation simulation) {
@@ -35,6 +36,11 @@ public final class SnapshotTaker {
   /** Sets whether snapshots have the boxes of the broad phase, which are many. */
   public void setWithBoxes(boolean with) {
     withBoxes = with;
+  }
+
+  /** Sets whether snapshots have the points of contact, which are more than all else together. */
+  public void setWithContacts(boolean with) {
+    withContacts = with;
   }
 
   /**
@@ -76,9 +82,9 @@ public final class SnapshotTaker {
         transforms,
         awake,
         jointLines(world),
-        contacts(world),
+        withContacts ? contacts(world) : NONE,
         centres,
-        withBoxes ? boxes(world) : NO_BOXES,
+        withBoxes ? boxes(world) : NONE,
         simulation.lastFracture(),
         simulation.hash());
   }

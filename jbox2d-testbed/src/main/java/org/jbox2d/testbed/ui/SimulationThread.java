@@ -52,6 +52,7 @@ final class SimulationThread {
   private Simulation run;
   private SnapshotTaker camera;
   private boolean withBoxes;
+  private boolean withContacts;
   private double speed = 1;
   private long nextStep;
 
@@ -179,12 +180,13 @@ final class SimulationThread {
     submit(() -> run.apply(input));
   }
 
-  /** Sets whether snapshots have the boxes of the broad phase. */
-  void setWithBoxes(boolean with) {
+  /** Sets what snapshots have that not every picture shows; ten seconds of all of it are large. */
+  void setDetails(boolean boxes, boolean contacts) {
     submit(
         () -> {
-          withBoxes = with;
-          camera.setWithBoxes(with);
+          withBoxes = boxes;
+          withContacts = contacts;
+          tellCamera();
         });
   }
 
@@ -213,8 +215,13 @@ final class SimulationThread {
   private void show(Simulation simulation, SnapshotTaker taker) {
     run = simulation;
     camera = taker;
-    camera.setWithBoxes(withBoxes);
+    tellCamera();
     nextStep = System.nanoTime();
+  }
+
+  private void tellCamera() {
+    camera.setWithBoxes(withBoxes);
+    camera.setWithContacts(withContacts);
   }
 
   private void rewind(int step) {

@@ -267,7 +267,7 @@ public final class TestbedWindow {
 
   private void showLayers() {
     layers.show(canvas.layers());
-    simulation.setWithBoxes(canvas.layers().has(Layer.BOXES));
+    simulation.setDetails(canvas.layers().has(Layer.BOXES), canvas.layers().has(Layer.CONTACTS));
   }
 
   private void quietly(Runnable change) {

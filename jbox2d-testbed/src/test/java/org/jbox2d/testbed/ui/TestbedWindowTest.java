@@ -209,8 +209,8 @@ class TestbedWindowTest {
   void slowMotionDoesFewerStepsASecond() throws Exception {
     JComboBox<?> speeds = hand.control("speeds", JComboBox.class);
     SwingUtilities.invokeAndWait(() -> speeds.setSelectedIndex(speeds.getItemCount() - 1));
-    hand.key(KeyEvent.VK_S);
     long start = System.nanoTime();
+    hand.key(KeyEvent.VK_S);
     hand.await(s -> s.counts().steps() >= 5);
     // Steps are never early: the first may come at once, each other a quarter second later.
     assertTrue(System.nanoTime() - start > 0.9e9, "four quarters of a second");
