@@ -18,6 +18,7 @@ public final class Suite {
     scenes.addAll(ChainScenes.all());
     scenes.addAll(StackScenes.all());
     scenes.addAll(ExtremeScenes.all());
+    scenes.addAll(HarderScenes.all());
     return scenes;
   }
 

@@ -62,15 +62,22 @@ final class Truth {
     return 2 * Math.PI / (w0 * a);
   }
 
-  /**
-   * Angles of the links of a hanging chain of equal uniform links between two places of one height.
-   * With the horizontal pull H over a link's weight and n links, the moments about the middle of
-   * link i balance at tan(angle) = -(n/2 - i - 1/2) / H; H is where the chain spans the distance.
-   *
-   * @param links number of links of length 1
-   * @param span distance of the ends
-   */
+  /** Angles of the links of a hanging chain of equal uniform links; see {@link #loadedChain}. */
   static double[] hangingChain(int links, double span) {
+    return loadedChain(links, span, 0);
+  }
+
+  /**
+   * Angles of the links of a hanging chain of equal uniform links between two places of one height,
+   * with a load at the hinge in its middle. With the horizontal pull H over a link's weight, n
+   * links and a load of P links' weight, the moments about the middle of link i of the left half
+   * balance at tan(angle) = -(n/2 - i - 1/2 + P/2) / H; H is where the chain spans the distance.
+   *
+   * @param links number of links of length 1, even if there is a load
+   * @param span distance of the ends
+   * @param load weight of the load over that of a link
+   */
+  static double[] loadedChain(int links, double span, double load) {
     double low = 0;
     double high = 1e9;
     double[] angles = new double[links];
@@ -78,7 +85,9 @@ final class Truth {
       double pull = 0.5 * (low + high);
       double width = 0;
       for (int i = 0; i < links; i++) {
-        angles[i] = -StrictMath.atan2(0.5 * links - i - 0.5, pull);
+        double below = 0.5 * links - i - 0.5;
+        double weight = below + 0.5 * load * Math.signum(below);
+        angles[i] = -StrictMath.atan2(weight, pull);
         width += StrictMath.cos(angles[i]);
       }
       if (width < span) {

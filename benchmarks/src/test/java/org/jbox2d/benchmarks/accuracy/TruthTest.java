@@ -47,4 +47,14 @@ class TruthTest {
     assertEquals(0.5, Truth.turn(0.5 + 6 * Math.PI), 1e-12);
     assertEquals(-0.5, Truth.turn(-0.5 - 4 * Math.PI), 1e-12);
   }
+
+  /** The load is borne by half on each side: the slopes beside it differ by load over pull. */
+  @Test
+  void aLoadBendsTheChainInItsMiddle() {
+    double[] free = Truth.loadedChain(20, 19, 0);
+    double[] loaded = Truth.loadedChain(20, 19, 20);
+    double pull = 1 / (StrictMath.tan(loaded[1]) - StrictMath.tan(loaded[0]));
+    assertEquals(21 / pull, StrictMath.tan(loaded[10]) - StrictMath.tan(loaded[9]), 1e-9);
+    assertEquals(Truth.hangingChain(20, 19)[3], free[3]);
+  }
 }
