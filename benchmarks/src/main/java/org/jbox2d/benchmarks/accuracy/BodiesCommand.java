@@ -31,8 +31,15 @@ import picocli.CommandLine.Option;
     description = "Thread time of a step against the number of bodies, 100 to 20,000.")
 final class BodiesCommand implements Callable<Integer> {
   private static final int[] SIZES = {100, 300, 1000, 3000, 10_000, 20_000};
+
+  /** Steps before the measured ones, and those: fewer from LARGE bodies on. */
   private static final int WARM_STEPS = 120;
-  private static final int STEPS = 60;
+
+  private static final int STEPS = 40;
+  private static final int LARGE = 10_000;
+  private static final int WARM_STEPS_OF_LARGE = 40;
+  private static final int STEPS_OF_LARGE = 12;
+
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
   @Option(names = "--directory", description = "Where to write.")
@@ -43,9 +50,6 @@ final class BodiesCommand implements Callable<Integer> {
 
   @Option(names = "--most", description = "Greatest number of bodies.")
   private int most = SIZES[SIZES.length - 1];
-
-  @Option(names = "--budget", description = "Thread time for a size at most, s, half of it warm.")
-  private double budget = 6;
 
   /** A scene of about so many bodies. */
   private enum Shape {
@@ -113,20 +117,18 @@ final class BodiesCommand implements Callable<Integer> {
   /** Number of bodies and median time of a step, ms. */
   private double[] point(Shape shape, Contender solver, int size) {
     try (SteppedScene scene = shape.builder.apply(solver.open(Setting.STANDARD), size)) {
-      long half = (long) (0.5e9 * budget);
-      long start = THREADS.getCurrentThreadCpuTime();
-      for (int i = 0; i < WARM_STEPS && THREADS.getCurrentThreadCpuTime() - start < half; i++) {
+      int warm = size < LARGE ? WARM_STEPS : WARM_STEPS_OF_LARGE;
+      for (int i = 0; i < warm; i++) {
         scene.step();
       }
-      long[] nanos = new long[STEPS];
-      int n = 0;
-      start = THREADS.getCurrentThreadCpuTime();
-      while (n < STEPS && (n == 0 || THREADS.getCurrentThreadCpuTime() - start < half)) {
+      int n = size < LARGE ? STEPS : STEPS_OF_LARGE;
+      long[] nanos = new long[n];
+      for (int i = 0; i < n; i++) {
         long before = THREADS.getCurrentThreadCpuTime();
         scene.step();
-        nanos[n++] = THREADS.getCurrentThreadCpuTime() - before;
+        nanos[i] = THREADS.getCurrentThreadCpuTime() - before;
       }
-      Arrays.sort(nanos, 0, n);
+      Arrays.sort(nanos);
       return new double[] {scene.bodyCount(), nanos[n / 2] * 1e-6};
     }
   }
