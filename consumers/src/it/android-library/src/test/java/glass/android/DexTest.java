@@ -30,6 +30,16 @@ class DexTest {
   /** Version of the class files of Java 8. */
   private static final int JAVA_8 = 52;
 
+  /** What lambda expressions refer to, which Android's own dexer turns into classes. */
+  private static final Set<String> LAMBDAS =
+      Set.of(
+          "Ljava/lang/invoke/CallSite;",
+          "Ljava/lang/invoke/LambdaMetafactory;",
+          "Ljava/lang/invoke/MethodHandle;",
+          "Ljava/lang/invoke/MethodHandles$Lookup;",
+          "Ljava/lang/invoke/MethodHandles;",
+          "Ljava/lang/invoke/MethodType;");
+
   @TempDir Path folder;
 
   @Test
@@ -67,6 +77,11 @@ class DexTest {
     }
     for (String name : classes) {
       assertTrue(!name.startsWith("Landroid/") && !name.startsWith("Ljava/"), name);
+    }
+    for (String name : dex.typeNames()) {
+      boolean linkedAtRunTime =
+          name.startsWith("Ljava/lang/invoke/") || name.startsWith("Ljava/lang/runtime/");
+      assertTrue(!linkedAtRunTime || LAMBDAS.contains(name), name);
     }
   }
 
