@@ -17,7 +17,6 @@ public final class Blow {
   private final Fixture fixtureB;
   private final int childA;
   private final int childB;
-  final float dt;
   final int pointCount;
   final float[] normalImpulses = new float[2];
   final float[] tangentImpulses = new float[2];
@@ -49,7 +48,6 @@ public final class Blow {
     childB = solved.contact.getChildIndexB();
     bodyA = fixtureA.getBody();
     bodyB = fixtureB.getBody();
-    dt = solved.dt;
     pointCount = solved.pointCount;
     normal.set(solved.normal);
     for (int i = 0; i < pointCount; i++) {
@@ -134,11 +132,6 @@ public final class Blow {
             && childB == other.childB
             && points[0].x == other.points[0].x
             && points[0].y == other.points[0].y);
-  }
-
-  /** Length of the step, s. */
-  public float dt() {
-    return dt;
   }
 
   /** Velocity of a centre of mass and angular velocity. */

@@ -16,9 +16,6 @@ public final class Strike {
   /** Impulse, N s, without the share of a resting load. */
   public final float intensity;
 
-  /** Length of the step, s; 0 for a commanded strike. */
-  public final float dt;
-
   /** Where it struck, in the body's frame, m. */
   public final Vec2 point = new Vec2();
 
@@ -37,7 +34,6 @@ public final class Strike {
     this.material = material;
     this.blow = blow;
     intensity = blow.intensity;
-    dt = blow.dt();
     Body body = fixture.getBody();
     Vec2 world = new Vec2();
     blow.strikingPoint(world);
@@ -51,7 +47,6 @@ public final class Strike {
     this.fixture = fixture;
     this.material = material;
     blow = null;
-    dt = 0f;
     intensity = impulse.length();
     Body body = fixture.getBody();
     body.getLocalPointToOut(worldPoint, point);
