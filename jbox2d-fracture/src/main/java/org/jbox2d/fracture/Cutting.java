@@ -9,7 +9,6 @@ import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.fracture.assembly.Assembler;
 import org.jbox2d.fracture.assembly.Plan;
-import org.jbox2d.fracture.assembly.Planner;
 import org.jbox2d.fracture.impact.Request;
 import org.jbox2d.fracture.impact.RequestBook;
 import org.jbox2d.fracture.impact.Strike;
@@ -19,15 +18,13 @@ import org.jbox2d.fracture.impact.Strike;
  * the polyline serves for all.
  */
 final class Cutting {
-  private final FractureSystem system;
+  private final Breaking breaking;
   private final World world;
-  private final Planner planner;
   private final double[] polyline;
 
-  Cutting(FractureSystem system, World world, Planner planner, double[] polyline) {
-    this.system = system;
+  Cutting(Breaking breaking, World world, double[] polyline) {
+    this.breaking = breaking;
     this.world = world;
-    this.planner = planner;
     this.polyline = polyline;
   }
 
@@ -67,10 +64,10 @@ final class Cutting {
         fixture.getMaterial() instanceof Material ? (Material) fixture.getMaterial() : null;
     Vec2 start = body.getWorldPoint(new Vec2((float) polyline[0], (float) polyline[1]));
     Request request = RequestBook.commanded(new Strike(fixture, material, start, new Vec2()));
-    if (!system.allowsCut(request)) {
+    if (!isAllowed(request)) {
       return false;
     }
-    Plan plan = planner.cut(request, polyline);
+    Plan plan = breaking.planner().cut(request, polyline);
     List<Body> made = new ArrayList<>();
     if (plan.outcome == Plan.Outcome.BREAKS) {
       made = Assembler.carryOut(world, plan, material);
@@ -86,7 +83,12 @@ final class Cutting {
         }
       }
     }
-    system.tellCut(plan, made);
+    breaking.tellCut(plan, made);
     return plan.outcome == Plan.Outcome.BREAKS;
+  }
+
+  private boolean isAllowed(Request request) {
+    FractureListener listener = breaking.listener;
+    return listener == null || listener.allow(new FractureProposal(FractureCause.CUT, request));
   }
 }

@@ -92,6 +92,14 @@ public final class FractureEvent {
     return outlines;
   }
 
+  /**
+   * Returns the limit because of which it broke into fewer pieces than its material would have
+   * made, or {@code null}.
+   */
+  public FractureLimit limit() {
+    return plan.limit;
+  }
+
   /** Returns the bodies of what stayed. */
   public List<Body> remainders() {
     return remainders;

@@ -2,6 +2,7 @@ package org.jbox2d.fracture;
 
 import java.util.List;
 import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.Fixture;
 
 /** Hears of fractures, after the step in which they happened; the world is not locked then. */
 @FunctionalInterface
@@ -27,6 +28,27 @@ public interface FractureListener {
 
   /** A body has broken; called after {@link #action}, with more to tell. */
   default void fractured(FractureEvent event) {}
+
+  /** A limit kept a body from breaking; its blow stays an ordinary blow. */
+  default void limited(FractureProposal proposal, FractureLimit limit) {}
+
+  /**
+   * A blow too weak to break a fixture has damaged it.
+   *
+   * @param fixture what was struck; of a compound, the part
+   * @param intensity impulse of the blow, N s
+   * @param damage of this blow and those before, N s; what is left of the rigidity is less by this
+   */
+  default void damaged(Fixture fixture, float intensity, float damage) {}
+
+  /**
+   * A splinter is about to be removed because of a limit.
+   *
+   * @return whether it may go; if not, it is no longer counted as debris
+   */
+  default boolean discard(Body debris, FractureLimit limit) {
+    return true;
+  }
 
   /** A fracture was called off because something went wrong, and its body stayed whole. */
   default void failed(FractureFailure failure) {}

@@ -5,18 +5,16 @@ import java.util.Collections;
 import java.util.List;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
-import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.SolvedContact;
 import org.jbox2d.dynamics.World;
-import org.jbox2d.fracture.assembly.Assembler;
 import org.jbox2d.fracture.assembly.Plan;
-import org.jbox2d.fracture.assembly.Planner;
 import org.jbox2d.fracture.impact.Blow;
-import org.jbox2d.fracture.impact.GiveBack;
+import org.jbox2d.fracture.impact.Damage;
 import org.jbox2d.fracture.impact.Request;
 import org.jbox2d.fracture.impact.RequestBook;
 import org.jbox2d.fracture.impact.Strike;
+import org.jbox2d.fracture.impact.Wear;
 
 /**
  * What a world has of fracture: listener, seed, limits and workspaces. It is there as soon as it is
@@ -32,22 +30,15 @@ public final class FractureSystem {
   public static final float DEFAULT_MINIMUM_AREA = 0.5f;
 
   private final World world;
-  private final Planner planner = new Planner();
-  private final GiveBack giveBack = new GiveBack();
   private final RequestBook book = new RequestBook();
-
-  private FractureListener listener;
-  private long seed;
-  private float minimumArea = DEFAULT_MINIMUM_AREA;
-  private int bodyLimit = Integer.MAX_VALUE;
-  private int stepLimit = Integer.MAX_VALUE;
-  private int fractures;
-  private int failures;
-  private int limited;
-  private long attempts;
+  private final List<Wear> worn = new ArrayList<>();
+  private final Debris debris;
+  private final Breaking breaking;
 
   private FractureSystem(World world) {
     this.world = world;
+    debris = new Debris(this, world);
+    breaking = new Breaking(world, debris);
   }
 
   /** Returns the fracture system of a world. */
@@ -63,12 +54,11 @@ public final class FractureSystem {
   /** Records a blow if it is hard enough to matter. */
   void record(Fixture fixture, Material material, SolvedContact solved) {
     boolean part = fixture.getCompound() != null;
-    if (fixture.isSensor()
-        || !RequestBook.matters(solved.normalImpulse(), material.m_rigidity, part)) {
+    if (fixture.isSensor() || !RequestBook.matters(solved.normalImpulse(), material, part)) {
       return;
     }
     Blow blow = new Blow(solved);
-    if (!RequestBook.matters(blow.intensity, material.m_rigidity, part)) {
+    if (!RequestBook.matters(blow.intensity, material, part)) {
       return;
     }
     if (book.isEmpty()) {
@@ -79,127 +69,11 @@ public final class FractureSystem {
 
   // --- Breaking, after the step ---
 
-  /** Breaks what the blows of the step call for. */
+  /** Breaks and damages what the blows of the step call for. */
   private void breakRecorded() {
-    carryOut(FractureCause.COLLISION, book.take());
-  }
-
-  /**
-   * Plans all fractures first, which changes nothing; gives back what the broken bodies did not
-   * take of the blows; then replaces each body by its pieces; then tells the listener.
-   */
-  private List<Body> carryOut(FractureCause cause, List<Request> requests) {
-    List<Plan> plans = plan(cause, requests);
-    giveBack(plans);
-    List<List<Body>> pieces = new ArrayList<>(plans.size());
-    List<Body> all = new ArrayList<>();
-    for (Plan plan : plans) {
-      List<Body> made = carryOut(plan);
-      pieces.add(made);
-      all.addAll(made);
-    }
-    for (int i = 0; i < plans.size(); i++) {
-      tell(cause, plans.get(i), pieces.get(i));
-    }
-    return all;
-  }
-
-  private List<Plan> plan(FractureCause cause, List<Request> requests) {
-    List<Plan> plans = new ArrayList<>(requests.size());
-    int bodies = world.getBodyCount();
-    int breaking = 0;
-    for (Request called : requests) {
-      FractureProposal proposal = new FractureProposal(cause, called);
-      if (listener != null && !listener.allow(proposal)) {
-        continue;
-      }
-      Request request = proposal.request();
-      if (breaking >= stepLimit || bodies >= bodyLimit) {
-        limited++;
-        continue;
-      }
-      Plan plan = planner.plan(request, SiteRandom.mix(seed, attempts++), minimumArea);
-      if (plan.outcome == Plan.Outcome.BREAKS && bodies + plan.splinterCount() > bodyLimit) {
-        limited++;
-        continue;
-      }
-      bodies += plan.splinterCount();
-      breaking += plan.yields() ? 1 : 0;
-      plans.add(plan);
-    }
-    return plans;
-  }
-
-  /**
-   * One contact, one z: if it broke both of its bodies, the larger share acts. A blow that broke
-   * nothing is left alone.
-   */
-  private void giveBack(List<Plan> plans) {
-    List<Blow> done = new ArrayList<>();
-    for (Plan plan : plans) {
-      for (Strike strike : plan.request.strikes) {
-        if (plan.yields() && strike.blow != null && !contains(done, strike.blow)) {
-          done.add(strike.blow);
-          giveBack.add(strike.blow, shareThatActs(plans, strike));
-        }
-      }
-    }
-    giveBack.apply();
-  }
-
-  private static float shareThatActs(List<Plan> plans, Strike strike) {
-    float share = strike.share();
-    for (Plan other : plans) {
-      if (other.yields()) {
-        for (Strike s : other.request.strikes) {
-          if (s != strike && s.blow != null && s.blow.isSameAs(strike.blow)) {
-            share = Math.max(share, s.share());
-          }
-        }
-      }
-    }
-    return share;
-  }
-
-  private static boolean contains(List<Blow> blows, Blow blow) {
-    for (Blow b : blows) {
-      if (b.isSameAs(blow)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private List<Body> carryOut(Plan plan) {
-    switch (plan.outcome) {
-      case BREAKS:
-        fractures++;
-        return Assembler.carryOut(world, plan, plan.request.material.m_fragments);
-      case COMES_LOOSE:
-        fractures++;
-        plan.request.body.setType(BodyType.DYNAMIC);
-        return Collections.singletonList(plan.request.body);
-      case FAILS:
-        failures++;
-        return Collections.emptyList();
-      default:
-        return Collections.emptyList();
-    }
-  }
-
-  private void tell(FractureCause cause, Plan plan, List<Body> bodies) {
-    if (listener == null) {
-      return;
-    }
-    Request r = plan.request;
-    if (plan.outcome == Plan.Outcome.FAILS) {
-      Strike s = r.hardest();
-      listener.failed(
-          new FractureFailure(plan.reason, r.body, r.material, s.point, s.vector, seed));
-    } else if (plan.yields()) {
-      listener.action(r.material, r.intensity, bodies);
-      listener.fractured(new FractureEvent(cause, plan, bodies));
-    }
+    List<Request> requests = book.take(worn);
+    breaking.wear(worn);
+    breaking.carryOut(FractureCause.COLLISION, requests);
   }
 
   // --- Commands ---
@@ -239,10 +113,13 @@ public final class FractureSystem {
     if (fixture.getMaterial() instanceof Material) {
       Material material = (Material) fixture.getMaterial();
       material.check();
-      request = RequestBook.requestOf(new Strike(fixture, material, point, impulse));
+      request = RequestBook.requestOf(new Strike(fixture, material, point, impulse), worn);
+      breaking.wear(worn);
     }
     List<Plan> plans =
-        request == null ? Collections.emptyList() : plan(cause, Collections.singletonList(request));
+        request == null
+            ? Collections.emptyList()
+            : breaking.plan(cause, Collections.singletonList(request));
     boolean yields = !plans.isEmpty() && plans.get(0).yields();
     float share = yields ? request.hardest().share() : 1f;
     if (push) {
@@ -251,8 +128,8 @@ public final class FractureSystem {
     if (plans.isEmpty()) {
       return Collections.emptyList();
     }
-    List<Body> bodies = carryOut(plans.get(0));
-    tell(cause, plans.get(0), bodies);
+    List<Body> bodies = breaking.carryOut(plans.get(0));
+    breaking.tell(cause, plans.get(0), bodies);
     return bodies;
   }
 
@@ -281,7 +158,7 @@ public final class FractureSystem {
       local[2 * i] = p.x;
       local[2 * i + 1] = p.y;
     }
-    return new Cutting(this, world, planner, local).cut(body);
+    return new Cutting(breaking, world, local).cut(body);
   }
 
   /**
@@ -308,21 +185,6 @@ public final class FractureSystem {
     return new Explosion(this, world, center, radius, impulse).setOff();
   }
 
-  /** Tells of a cut. */
-  void tellCut(Plan plan, List<Body> bodies) {
-    if (plan.outcome == Plan.Outcome.FAILS) {
-      failures++;
-    } else if (plan.outcome == Plan.Outcome.BREAKS) {
-      fractures++;
-    }
-    tell(FractureCause.CUT, plan, bodies);
-  }
-
-  /** Whether the listener allows a cut. */
-  boolean allowsCut(Request request) {
-    return listener == null || listener.allow(new FractureProposal(FractureCause.CUT, request));
-  }
-
   private void checkCommand(Fixture fixture) {
     if (fixture == null || fixture.getBody() == null || fixture.getBody().getWorld() != world) {
       throw new IllegalArgumentException("fixture is of no body of this world");
@@ -346,24 +208,24 @@ public final class FractureSystem {
 
   /** Sets who hears of fractures; may be {@code null}. */
   public void setListener(FractureListener listener) {
-    this.listener = listener;
+    breaking.listener = listener;
   }
 
   /** Returns who hears of fractures. */
   public FractureListener getListener() {
-    return listener;
+    return breaking.listener;
   }
 
   /**
    * Sets the seed of the materials' sites. The same seed and the same calls give the same pieces.
    */
   public void setSeed(long seed) {
-    this.seed = seed;
+    breaking.seed = seed;
   }
 
   /** Returns the seed. */
   public long getSeed() {
-    return seed;
+    return breaking.seed;
   }
 
   /**
@@ -377,12 +239,12 @@ public final class FractureSystem {
     if (!(area >= 0f) || Float.isInfinite(area)) {
       throw new IllegalArgumentException("area must be finite and not negative, is " + area);
     }
-    minimumArea = area;
+    breaking.minimumArea = area;
   }
 
   /** Returns the area below which a body does not break, m^2. */
   public float getMinimumArea() {
-    return minimumArea;
+    return breaking.minimumArea;
   }
 
   /**
@@ -395,12 +257,90 @@ public final class FractureSystem {
     if (bodies < 0) {
       throw new IllegalArgumentException("limit must not be negative, is " + bodies);
     }
-    bodyLimit = bodies;
+    breaking.bodyLimit = bodies;
   }
 
   /** Returns how many bodies the world may have. */
   public int getBodyLimit() {
-    return bodyLimit;
+    return breaking.bodyLimit;
+  }
+
+  /**
+   * Sets how many pieces a body may break into, what stays counted. Beyond it cells that lie side
+   * by side break away as one, so that mass and the region that breaks are kept; {@link
+   * FractureEvent#limit()} tells. No limit by default.
+   *
+   * @throws IllegalArgumentException if it is below 2
+   */
+  public void setPiecesPerFracture(int pieces) {
+    if (pieces < 2) {
+      throw new IllegalArgumentException(
+          "a fracture has at least 2 pieces, the limit is " + pieces);
+    }
+    breaking.pieceLimit = pieces;
+  }
+
+  /** Returns how many pieces a body may break into. */
+  public int getPiecesPerFracture() {
+    return breaking.pieceLimit;
+  }
+
+  /**
+   * Sets how many splinters there may be. Splinters of a cut are not counted, nor those made while
+   * neither this limit nor {@link #setDebrisLifetime} was set. Beyond it splinters are destroyed at
+   * the end of the step: of the older half, the smallest first. {@link FractureListener#discard}
+   * hears of each. No limit by default.
+   *
+   * @param pieces {@code Integer.MAX_VALUE} for no limit
+   * @throws IllegalArgumentException if it is negative
+   */
+  public void setDebrisBudget(int pieces) {
+    if (pieces < 0) {
+      throw new IllegalArgumentException("budget must not be negative, is " + pieces);
+    }
+    debris.setBudget(pieces);
+  }
+
+  /** Returns how many splinters there may be. */
+  public int getDebrisBudget() {
+    return debris.budget();
+  }
+
+  /**
+   * Sets how long a splinter may sleep without a break before it is destroyed, s; those that {@link
+   * #setDebrisBudget} counts. {@link FractureListener#discard} hears of each. For ever by default.
+   *
+   * @param seconds infinite for no limit
+   * @throws IllegalArgumentException if it is negative or NaN
+   */
+  public void setDebrisLifetime(float seconds) {
+    if (!(seconds >= 0f)) {
+      throw new IllegalArgumentException("lifetime must not be negative, is " + seconds);
+    }
+    debris.setLifetime(seconds);
+  }
+
+  /** Returns how long a splinter may sleep before it is destroyed, s. */
+  public float getDebrisLifetime() {
+    return debris.lifetime();
+  }
+
+  /** Returns how many splinters were destroyed because of a limit. */
+  public int getDiscardedCount() {
+    return debris.removed();
+  }
+
+  /**
+   * Returns what blows too weak to break a fixture have left in it, N s: by this the rigidity is
+   * less; 0 unless its material has a {@link Material#m_toughness}.
+   */
+  public static float damageOf(Fixture fixture) {
+    return Damage.of(fixture);
+  }
+
+  /** Mends a fixture, and the others of its compound. */
+  public static void mend(Fixture fixture) {
+    Damage.clear(fixture);
   }
 
   /**
@@ -413,17 +353,17 @@ public final class FractureSystem {
     if (fractures < 0) {
       throw new IllegalArgumentException("limit must not be negative, is " + fractures);
     }
-    stepLimit = fractures;
+    breaking.stepLimit = fractures;
   }
 
   /** Returns how many bodies may break in a step. */
   public int getFracturesPerStep() {
-    return stepLimit;
+    return breaking.stepLimit;
   }
 
   /** Returns how many bodies have broken. */
   public int getFractureCount() {
-    return fractures;
+    return breaking.fractures;
   }
 
   /**
@@ -431,11 +371,11 @@ public final class FractureSystem {
    * whole.
    */
   public int getFailureCount() {
-    return failures;
+    return breaking.failures;
   }
 
   /** Returns how many fractures did not happen because of a limit. */
   public int getLimitedCount() {
-    return limited;
+    return breaking.limited;
   }
 }

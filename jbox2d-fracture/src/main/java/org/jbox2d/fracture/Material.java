@@ -30,6 +30,14 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
   /** Impulse of a blow above which the fixture breaks, N s; not negative. */
   public float m_rigidity = DEFAULT_RIGIDITY;
 
+  /**
+   * Impulse up to which a blow leaves no damage, N s; not negative. A blow between this and the
+   * rigidity takes what it has above this off the rigidity that is left, which does not fall below
+   * this; so repeated blows break what each of them would not. Infinite by default: weak blows do
+   * nothing.
+   */
+  public float m_toughness = Float.POSITIVE_INFINITY;
+
   /** Relative size of the fragments, m; positive. */
   public float m_shattering = DEFAULT_SHATTERING;
 
@@ -117,12 +125,15 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
     if (constant != null) {
       constant.check(this);
     }
-    if (!(m_rigidity >= 0f && m_shattering > 0f && m_radius > 0f)
+    if (!(m_rigidity >= 0f && m_toughness >= 0f && m_shattering > 0f && m_radius > 0f)
         || Float.isInfinite(m_shattering)
         || Float.isInfinite(m_radius)) {
       throw new IllegalStateException(
-          "a material needs m_rigidity >= 0, m_shattering > 0 and m_radius > 0; they are "
+          "a material needs m_rigidity >= 0, m_toughness >= 0, m_shattering > 0 and m_radius > 0;"
+              + " they are "
               + m_rigidity
+              + ", "
+              + m_toughness
               + ", "
               + m_shattering
               + ", "
@@ -138,6 +149,7 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
   private static final class Constant {
     private final String name;
     private final float rigidity;
+    private final float toughness;
     private final float shattering;
     private final float radius;
     private final Material fragments;
@@ -145,6 +157,7 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
     Constant(String name, Material material) {
       this.name = name;
       rigidity = material.m_rigidity;
+      toughness = material.m_toughness;
       shattering = material.m_shattering;
       radius = material.m_radius;
       fragments = material.m_fragments;
@@ -152,6 +165,7 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
 
     void check(Material m) {
       if (m.m_rigidity != rigidity
+          || m.m_toughness != toughness
           || m.m_shattering != shattering
           || m.m_radius != radius
           || m.m_fragments != fragments) {

@@ -58,6 +58,9 @@ public class Fixture {
    */
   public FixtureMaterial m_material;
 
+  /** What the material remembers of this fixture; {@code null} for nothing. */
+  public Object m_materialState;
+
   private final Vec2 displacement = new Vec2();
   private CompoundShape compound;
 

@@ -10,6 +10,7 @@ import org.jbox2d.callbacks.DebugDraw;
 import org.jbox2d.callbacks.DestructionListener;
 import org.jbox2d.callbacks.QueryCallback;
 import org.jbox2d.callbacks.RayCastCallback;
+import org.jbox2d.callbacks.StepListener;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.broadphase.BroadPhase;
 import org.jbox2d.collision.broadphase.BroadPhaseStrategy;
@@ -68,6 +69,7 @@ public class World {
   private final ArrayDeque<Runnable> deferred = new ArrayDeque<>();
   private final List<Body> leaving = new ArrayList<>();
   private final List<Object> extensions = new ArrayList<>();
+  private final List<StepListener> stepListeners = new ArrayList<>();
 
   private Solver solver = Solver.sequentialImpulses();
   private Body bodyList;
@@ -139,6 +141,9 @@ public class World {
       m_flags &= ~LOCKED;
     }
     runDeferred();
+    for (int i = 0; i < stepListeners.size(); i++) {
+      stepListeners.get(i).stepped(this, dt);
+    }
     profile.end();
   }
 
@@ -752,6 +757,17 @@ public class World {
   /** Sets who hears of contacts; may be {@code null}. */
   public void setContactListener(ContactListener listener) {
     m_contactManager.m_contactListener = listener;
+  }
+
+  /** Adds who hears of the end of each step, after those added before. */
+  public void addStepListener(StepListener listener) {
+    Checks.notNull(listener, "listener");
+    stepListeners.add(listener);
+  }
+
+  /** Removes who hears of the end of each step; does nothing if it was not added. */
+  public void removeStepListener(StepListener listener) {
+    stepListeners.remove(listener);
   }
 
   /** Sets what draws the world in {@link #drawDebugData()}. */

@@ -70,7 +70,7 @@ public final class Assembler {
   private static Body makeCluster(World world, Body old, Plan plan, Cluster cluster) {
     Body body = world.createBody(definition(old, old.getType()));
     for (Piece remainder : cluster.remainders) {
-      addRemainder(body, brokenTemplate(plan), remainder);
+      addRemainder(body, brokenTemplate(plan), plan, remainder);
     }
     for (List<Fixture> group : cluster.others) {
       copyGroup(body, group);
@@ -82,13 +82,20 @@ public final class Assembler {
   private static void copyGroup(Body body, List<Fixture> group) {
     Fixture first = group.get(0);
     if (first.getCompound() != null && group.size() == first.getCompound().getParts().length) {
-      body.createFixture(template(first), first.getCompound());
+      inherit(first, body.createFixture(template(first), first.getCompound()));
       return;
     }
     for (Fixture f : group) {
       FixtureDef def = template(f);
       def.shape = f.getShape();
-      body.createFixture(def);
+      body.createFixture(def).m_materialState = f.m_materialState;
+    }
+  }
+
+  /** What stays remembers the blows that did not break it. */
+  private static void inherit(Fixture from, List<Fixture> to) {
+    for (Fixture f : to) {
+      f.m_materialState = from.m_materialState;
     }
   }
 
@@ -109,14 +116,14 @@ public final class Assembler {
       f = next;
     }
     for (Piece remainder : kept.remainders) {
-      addRemainder(old, def, remainder);
+      addRemainder(old, def, plan, remainder);
     }
   }
 
-  private static void addRemainder(Body body, FixtureDef def, Piece remainder) {
+  private static void addRemainder(Body body, FixtureDef def, Plan plan, Piece remainder) {
     float density = def.density;
     def.density = density * remainder.densityFactor;
-    body.createFixture(def, remainder);
+    inherit(plan.request.fixture, body.createFixture(def, remainder));
     def.density = density;
   }
 

@@ -3,6 +3,7 @@ package org.jbox2d.fracture.assembly;
 import java.util.Collections;
 import java.util.List;
 import org.jbox2d.dynamics.CompoundShape;
+import org.jbox2d.fracture.FractureLimit;
 import org.jbox2d.fracture.fragmentation.ImpactRegion;
 import org.jbox2d.fracture.impact.Request;
 
@@ -32,6 +33,9 @@ public final class Plan {
   /** Where it breaks, one region for each blow; none for a cut. */
   public final List<ImpactRegion> regions;
 
+  /** What kept it from breaking, or made its pieces fewer; {@code null} for nothing. */
+  public final FractureLimit limit;
+
   final Breakable breakable;
   final List<Piece> remainders;
   final List<Piece> splinters;
@@ -44,7 +48,8 @@ public final class Plan {
       List<Piece> remainders,
       List<Piece> splinters,
       double[] sites,
-      List<ImpactRegion> regions) {
+      List<ImpactRegion> regions,
+      FractureLimit limit) {
     this.request = request;
     this.outcome = outcome;
     this.reason = reason;
@@ -53,20 +58,25 @@ public final class Plan {
     this.splinters = splinters;
     this.sites = sites;
     this.regions = regions;
+    this.limit = limit;
   }
 
   static Plan without(Request request, Outcome outcome) {
-    return empty(request, outcome, "");
+    return empty(request, outcome, "", null);
+  }
+
+  static Plan limited(Request request, FractureLimit limit) {
+    return empty(request, Outcome.HOLDS, "", limit);
   }
 
   static Plan failed(Request request, String reason) {
-    return empty(request, Outcome.FAILS, reason);
+    return empty(request, Outcome.FAILS, reason, null);
   }
 
-  private static Plan empty(Request request, Outcome outcome, String reason) {
+  private static Plan empty(Request request, Outcome outcome, String reason, FractureLimit limit) {
     List<Piece> none = Collections.emptyList();
     return new Plan(
-        request, outcome, reason, null, none, none, new double[0], Collections.emptyList());
+        request, outcome, reason, null, none, none, new double[0], Collections.emptyList(), limit);
   }
 
   static Plan breaks(
@@ -79,13 +89,22 @@ public final class Plan {
         remainders,
         splinters,
         new double[0],
-        Collections.emptyList());
+        Collections.emptyList(),
+        null);
   }
 
-  /** This plan with what its pieces were made by. */
-  Plan madeBy(double[] usedSites, List<ImpactRegion> usedRegions) {
+  /** This plan with what its pieces were made by, and what made them fewer. */
+  Plan madeBy(double[] usedSites, List<ImpactRegion> usedRegions, FractureLimit usedLimit) {
     return new Plan(
-        request, outcome, reason, breakable, remainders, splinters, usedSites, usedRegions);
+        request,
+        outcome,
+        reason,
+        breakable,
+        remainders,
+        splinters,
+        usedSites,
+        usedRegions,
+        usedLimit);
   }
 
   /** Returns how many splinters there are; their bodies come last in the list of bodies made. */

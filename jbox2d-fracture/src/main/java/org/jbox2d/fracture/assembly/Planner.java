@@ -8,6 +8,7 @@ import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.fracture.FractureLimit;
 import org.jbox2d.fracture.Material;
 import org.jbox2d.fracture.Site;
 import org.jbox2d.fracture.SiteRandom;
@@ -58,17 +59,24 @@ public final class Planner {
   private int siteCount;
   private int pieceCount;
 
-  /** Works out what a request comes to. */
-  public Plan plan(Request request, long seed, float minimumArea) {
+  /**
+   * Works out what a request comes to.
+   *
+   * @param minimumArea area below which nothing breaks, m^2
+   * @param pieceLimit how many pieces it may break into, what stays counted
+   */
+  public Plan plan(Request request, long seed, float minimumArea, int pieceLimit) {
     Breakable breakable = Breakable.of(request.fixture);
     if (breakable == null) {
       return Plan.without(request, Plan.Outcome.HOLDS);
     }
     if (breakable.outline.area() < leastBreakableArea(breakable, minimumArea)) {
       boolean loose = request.body.getType() == BodyType.STATIC;
-      return Plan.without(request, loose ? Plan.Outcome.COMES_LOOSE : Plan.Outcome.HOLDS);
+      return loose
+          ? Plan.without(request, Plan.Outcome.COMES_LOOSE)
+          : Plan.limited(request, FractureLimit.MINIMUM_AREA);
     }
-    return breakUp(request, breakable, seed);
+    return breakUp(request, breakable, seed, pieceLimit);
   }
 
   /**
@@ -79,7 +87,7 @@ public final class Planner {
     return Math.min(minimumArea, LEAST_BREAKABLE_SHARE * breakable.originalArea);
   }
 
-  private Plan breakUp(Request request, Breakable breakable, long seed) {
+  private Plan breakUp(Request request, Breakable breakable, long seed, int pieceLimit) {
     siteCount = 0;
     pieceCount = 0;
     List<ImpactRegion> regions = new ArrayList<>(request.strikes.size());
@@ -92,16 +100,38 @@ public final class Planner {
       }
       regions.add(regionOf(strike, request.material));
     }
-    Fragmentation result =
-        fragmenter.fragment(breakable.outline, sites, pieceOfSite, siteCount, regions, limits());
-    if (result.status() == FragmentationStatus.NOTHING_BREAKS) {
+    Fragmentation result = fragment(breakable, regions);
+    FractureLimit limit = null;
+    int wanted = result.fragments().size();
+    while (wanted > 1 && excess(pieceLimit, result) > 0) {
+      limit = FractureLimit.PIECES_PER_FRACTURE;
+      wanted =
+          Math.max(1, Math.min(wanted, result.fragments().size()) - excess(pieceLimit, result));
+      PieceMerger.gather(result.fragments(), sites, pieceOfSite, siteCount, wanted, pieceCount);
+      pieceCount += wanted;
+      result = fragment(breakable, regions);
+    }
+    boolean nothing = result.status() == FragmentationStatus.NOTHING_BREAKS;
+    if (excess(pieceLimit, result) > 0 || (nothing && limit != null)) {
+      return Plan.limited(request, FractureLimit.PIECES_PER_FRACTURE);
+    }
+    if (nothing) {
       return Plan.without(request, Plan.Outcome.HOLDS);
     }
     if (result.status().isFailure()) {
       return Plan.failed(request, result.status() + " " + result.reason());
     }
     return shape(request, breakable, result.remainders(), outlinesOf(result.fragments()))
-        .madeBy(Arrays.copyOf(sites, 2 * siteCount), regions);
+        .madeBy(Arrays.copyOf(sites, 2 * siteCount), regions, limit);
+  }
+
+  private Fragmentation fragment(Breakable breakable, List<ImpactRegion> regions) {
+    int[] numbers = pieceCount > 0 ? pieceOfSite : null;
+    return fragmenter.fragment(breakable.outline, sites, numbers, siteCount, regions, limits());
+  }
+
+  private static int excess(int pieceLimit, Fragmentation result) {
+    return result.fragments().size() + result.remainders().size() - pieceLimit;
   }
 
   /**

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jbox2d.dynamics.Body;
+import org.jbox2d.fracture.Material;
 
 /**
  * The strikes of a step, and what they call for.
@@ -16,8 +17,8 @@ import org.jbox2d.dynamics.Body;
  */
 public final class RequestBook {
   /**
-   * Strikes weaker than this share of the rigidity are not kept: no sum of a few of them would
-   * break anything.
+   * Strikes weaker than this share of the rigidity, or of the toughness, are not kept: no sum of a
+   * few of them would break or damage anything.
    */
   private static final float LEAST_SHARE = 0.05f;
 
@@ -27,9 +28,10 @@ public final class RequestBook {
    */
   private final Map<Body, List<Strike>> strikes = new LinkedHashMap<>();
 
-  /** Whether a blow of this intensity is worth keeping. */
-  public static boolean matters(float intensity, float rigidity, boolean partOfCompound) {
-    return intensity > (partOfCompound ? LEAST_SHARE * rigidity : rigidity);
+  /** Whether a blow of this intensity is worth keeping: it may break something, or damage it. */
+  public static boolean matters(float intensity, Material material, boolean partOfCompound) {
+    float least = Damage.threshold(material);
+    return intensity > (partOfCompound ? LEAST_SHARE * least : least);
   }
 
   /** Whether there is nothing in the book. */
@@ -45,11 +47,13 @@ public final class RequestBook {
   /**
    * Returns what the strikes call for, in the order in which the bodies were first struck, and
    * empties the book.
+   *
+   * @param worn receives the blows that only did damage
    */
-  public List<Request> take() {
+  public List<Request> take(List<Wear> worn) {
     List<Request> requests = new ArrayList<>();
     for (Map.Entry<Body, List<Strike>> entry : strikes.entrySet()) {
-      Request request = requestOf(entry.getKey(), entry.getValue());
+      Request request = requestOf(entry.getKey(), entry.getValue(), worn);
       if (request != null) {
         requests.add(request);
       }
@@ -58,9 +62,13 @@ public final class RequestBook {
     return requests;
   }
 
-  /** Returns the request of a single strike, or {@code null} if it is too weak. */
-  public static Request requestOf(Strike strike) {
-    return requestOf(strike.fixture.getBody(), Collections.singletonList(strike));
+  /**
+   * Returns the request of a single strike, or {@code null} if it is too weak.
+   *
+   * @param worn receives the strike if it only did damage
+   */
+  public static Request requestOf(Strike strike, List<Wear> worn) {
+    return requestOf(strike.fixture.getBody(), Collections.singletonList(strike), worn);
   }
 
   /** Returns the request of a single strike, however weak. */
@@ -68,7 +76,7 @@ public final class RequestBook {
     return new Request(strike, strike.intensity, Collections.singletonList(strike));
   }
 
-  private static Request requestOf(Body body, List<Strike> struck) {
+  private static Request requestOf(Body body, List<Strike> struck, List<Wear> worn) {
     if (body.m_world == null) {
       return null;
     }
@@ -77,6 +85,11 @@ public final class RequestBook {
     for (Blows group : groups) {
       if (group.exceedsRigidity() && (hardest == null || group.intensity > hardest.intensity)) {
         hardest = group;
+      }
+    }
+    for (Blows group : groups) {
+      if (!group.exceedsRigidity() && (hardest == null || !group.hitSame(hardest))) {
+        group.wear(worn);
       }
     }
     if (hardest == null) {
@@ -143,14 +156,24 @@ public final class RequestBook {
       }
     }
 
+    private float rigidity() {
+      return Damage.rigidityLeft(strongest.fixture, strongest.material);
+    }
+
     boolean exceedsRigidity() {
-      return intensity > strongest.material.m_rigidity;
+      return intensity > rigidity();
     }
 
     void addTo(List<Strike> out) {
       for (Strike strike : members) {
-        strike.share = Math.min(1f, strongest.material.m_rigidity / intensity);
+        strike.share = Math.min(1f, rigidity() / intensity);
         out.add(strike);
+      }
+    }
+
+    void wear(List<Wear> worn) {
+      if (intensity > strongest.material.m_toughness) {
+        worn.add(new Wear(strongest, intensity));
       }
     }
   }
