@@ -55,11 +55,14 @@ final class Breaking {
    */
   void carryOut(FractureCause cause, List<Request> requests) {
     List<Plan> plans = plan(cause, requests);
+    HeldUp heldUp = new HeldUp(world, plans);
     giveBack(plans);
     List<List<Body>> pieces = new ArrayList<>(plans.size());
     for (Plan plan : plans) {
       pieces.add(carryOut(plan));
+      heldUp.hasBroken(plan.request.body, pieces.get(pieces.size() - 1));
     }
+    heldUp.letCatchUp();
     for (int i = 0; i < plans.size(); i++) {
       tell(cause, plans.get(i), pieces.get(i));
     }

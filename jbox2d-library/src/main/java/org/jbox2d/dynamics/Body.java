@@ -127,6 +127,9 @@ public class Body {
   /** How many impacts the continuous phase has handled for this body in the current step. */
   int impacts;
 
+  /** By how much the body catches up in this step; {@code null} if it does not. */
+  Laggards.Lag lag;
+
   /** Made by {@link World#createBody}. */
   public Body(BodyDef bd, World world) {
     m_type = bd.type;

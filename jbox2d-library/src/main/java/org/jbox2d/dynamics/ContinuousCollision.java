@@ -401,7 +401,7 @@ final class ContinuousCollision implements TreeCallback {
       return false;
     }
     Sweep s = b.m_sweep;
-    float h = (1f - s.alpha0) * step.dt;
+    float h = (1f - s.alpha0) * (step.dt + Laggards.timeOf(b));
     float vx = b.m_linearVelocity.x;
     float vy = b.m_linearVelocity.y;
     float way = h * (float) Math.sqrt(vx * vx + vy * vy);

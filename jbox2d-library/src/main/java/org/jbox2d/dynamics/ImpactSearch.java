@@ -160,10 +160,16 @@ final class ImpactSearch implements TreeCallback {
     return true;
   }
 
-  /** Two dynamic bodies pass through one another within a step unless one is a bullet. */
+  /**
+   * Two dynamic bodies pass through one another within a step unless one is a bullet. Those that
+   * catch up together have been solved together: a bullet and the pieces in front of it, which it
+   * would else meet one by one.
+   */
   private static boolean mayHit(Body b, Body o) {
     return o != b
-        && (o.m_type != BodyType.DYNAMIC || ((b.m_flags | o.m_flags) & Body.e_bulletFlag) != 0);
+        && (o.m_type != BodyType.DYNAMIC
+            || (((b.m_flags | o.m_flags) & Body.e_bulletFlag) != 0
+                && !(Laggards.timeOf(b) > 0f && Laggards.timeOf(o) > 0f)));
   }
 
   private void test(Body b, FixtureProxy p, Body o, FixtureProxy q) {

@@ -64,6 +64,7 @@ final class ImpactSolver {
     pushApart(impact, step);
     ContactPreparation.prepare(constraints, bodies, 0, count, step.velocityThreshold);
     BounceTiming.correct(constraints, solved, 0, count, alpha, step);
+    report.at(alpha);
     report.keepVelocities(0f);
     for (int n = 0; n < step.velocityIterations; n++) {
       ContactVelocityKernel.solve(constraints, bodies, 0, count);

@@ -83,6 +83,9 @@ public final class SolvedContact {
    */
   public double energyTaken;
 
+  /** When in the step it was solved, as a fraction of it: 0 at its start, more for an impact. */
+  public float alpha;
+
   /** Length of the step, s. */
   public float dt;
 

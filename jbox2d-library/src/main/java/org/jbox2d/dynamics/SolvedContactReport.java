@@ -44,6 +44,11 @@ final class SolvedContactReport {
     this.impacts = impacts;
   }
 
+  /** Sets when in the step an impact is, as a fraction of it. */
+  void at(float alpha) {
+    solved.alpha = alpha;
+  }
+
   /**
    * Keeps the velocities: forces applied, contacts not yet solved.
    *

@@ -66,6 +66,7 @@ public class World {
   private final WorldRayCast rayCast;
   private final IslandSolver islandSolver;
   private final ContinuousCollision continuous;
+  private final Laggards laggards = new Laggards();
   private final ArrayDeque<Runnable> deferred = new ArrayDeque<>();
   private final List<Body> leaving = new ArrayList<>();
   private final List<Object> extensions = new ArrayList<>();
@@ -211,6 +212,7 @@ public class World {
   private void solve() {
     profile.solve.start();
     islandSolver.solve(step, solver, profile);
+    laggards.catchUp();
     profile.solve.stop();
   }
 
@@ -489,6 +491,38 @@ public class World {
     (atA ? joint.m_edgeB : joint.m_edgeA).other = to;
     from.setAwake(true);
     to.setAwake(true);
+  }
+
+  // --- Catching up ---
+
+  /**
+   * Returns for how long a body had the velocity it was given at a moment of the last step, s.
+   *
+   * @param alpha when, as a fraction of the step
+   */
+  public float timeSince(Body body, float alpha) {
+    return (1f - alpha) * (step.dt + Laggards.timeOf(body));
+  }
+
+  /**
+   * Lets a dynamic body make up in the next step for time that it has spent with a velocity which
+   * was then taken back, as when what held it up has broken. In that step it moves on, besides, by
+   * this time times the difference of its velocity, as then solved, and the one taken back; unless
+   * it would be pushed into something that it touches. It does not pass through still bodies.
+   *
+   * @param time see {@link #timeSince}; no more than four steps are made up for
+   * @param velocity the velocity taken back, of the centre of mass, m/s; copied
+   * @param angularVelocity the angular velocity taken back, rad/s
+   * @throws IllegalStateException if the world is locked
+   * @throws IllegalArgumentException if the body is not of this world, or a value is not allowed
+   */
+  public void letCatchUp(Body body, float time, Vec2 velocity, float angularVelocity) {
+    checkUnlocked("letCatchUp");
+    checkBody(body, "body");
+    Checks.notNegative(time, "time");
+    Checks.finite(velocity, "velocity");
+    Checks.finite(angularVelocity, "angularVelocity");
+    laggards.add(body, time, step.dt, velocity, angularVelocity);
   }
 
   // --- Awake set ---

@@ -18,6 +18,13 @@ public final class PartShapes {
    */
   private static final double RESOLUTION_IN_SLOPS = 0.501;
 
+  /**
+   * Radius of the parts of pieces, in slops. Neighbouring pieces share their edges, so their skins
+   * overlap: with a skin of half a slop they overlap by one slop, which is just what a resting
+   * contact keeps. They touch when born, and nothing pushes them apart.
+   */
+  public static final float PIECE_SKIN_IN_SLOPS = 0.5f;
+
   private final ConvexDecomposition decomposition = new ConvexDecomposition();
 
   /**

@@ -271,13 +271,8 @@ public final class Planner {
     return Plan.breaks(request, breakable, remainders, splinters);
   }
 
-  /**
-   * Neighbouring pieces share their edges, so their skins overlap: with a skin of half a slop they
-   * overlap by one slop, which is just what a resting contact keeps. They touch when born, and
-   * nothing pushes them apart.
-   */
   private Piece pieceOf(Outline outline, Breakable breakable) {
-    Shape[] parts = partShapes.of(outline, 0.5f * Settings.linearSlop);
+    Shape[] parts = partShapes.of(outline, PartShapes.PIECE_SKIN_IN_SLOPS * Settings.linearSlop);
     return new Piece(outline, breakable.originalArea, parts);
   }
 

@@ -38,6 +38,9 @@ public final class Blow {
 
   final double energyTaken;
 
+  /** When in the step, as a fraction of it. */
+  public final float alpha;
+
   /** Impulse of the blow without the share of a resting load, N s. */
   public final float intensity;
 
@@ -63,6 +66,7 @@ public final class Blow {
     centerB = solved.centerB.clone();
     rotationA.set(solved.rotationA);
     rotationB.set(solved.rotationB);
+    alpha = solved.alpha;
     solve = solved.solve;
     energyTaken = solved.energyTaken;
     intensity = Intensity.of(solved);

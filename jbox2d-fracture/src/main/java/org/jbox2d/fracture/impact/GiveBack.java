@@ -59,7 +59,7 @@ public final class GiveBack {
       b.add(-px, -py, x, y);
       taken -= work(blow, i);
     }
-    a.taken += Math.max(0, taken);
+    (a.moves() ? a : b).taken += Math.max(0, taken);
   }
 
   /**

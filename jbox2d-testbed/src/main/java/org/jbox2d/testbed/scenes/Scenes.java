@@ -10,7 +10,7 @@ public final class Scenes {
   /** Inner half-width of the static box that is around each scene, m; its middle is at x = 0. */
   public static final float BOX_HALF_WIDTH = 39f;
 
-  /** Height of the box's walls over its floor at y = 0, m; it has no ceiling. */
+  /** Height of the box's walls over its floor at y = 0, m; there is its lid. */
   public static final float BOX_HEIGHT = 70f;
 
   private static final List<Scene> ALL = collect();

@@ -29,12 +29,16 @@ final class Stage {
     this.world = world;
   }
 
-  /** A stage with the box around it. */
+  /**
+   * A stage with the box around it: that of the thesis, and a lid, as the tips of a beam that
+   * breaks at 100 m/s fly higher than its walls.
+   */
   static Stage inBox(World world) {
     Stage stage = new Stage(world);
     stage.scenery(0f, -5f, 40f, 5f);
     stage.scenery(-41f, 30f, 2f, 40f);
     stage.scenery(41f, 30f, 2f, 40f);
+    stage.scenery(0f, Scenes.BOX_HEIGHT + 5f, 43f, 5f);
     return stage;
   }
 

@@ -58,6 +58,9 @@ final class StepLedger implements ContactListener {
   /** Whether contacts have been solved in this step, so that what follows is an impact. */
   private boolean solved;
 
+  /** Impulses of a step on what breaks as one, for each body that strikes it. */
+  private final Map<Object, Map<Body, Double>> blows = new IdentityHashMap<>();
+
   private final Vec2 reaction = new Vec2();
   private double impulseX;
   private double impulseY;
@@ -85,6 +88,7 @@ final class StepLedger implements ContactListener {
     brokenByScenery = false;
     normals.clear();
     solved = false;
+    blows.clear();
     run.step();
     addJoints(world);
     Totals after = Totals.of(world);
@@ -178,11 +182,21 @@ final class StepLedger implements ContactListener {
       impulseSize += Math.abs(n) + Math.abs(t);
       sum += n;
     }
-    brokenByScenery |= yields(contact.getFixtureA(), sum) || yields(contact.getFixtureB(), sum);
+    brokenByScenery |=
+        yields(contact.getFixtureA(), b, sum) || yields(contact.getFixtureB(), a, sum);
   }
 
-  private static boolean yields(Fixture fixture, double impulse) {
-    return fixture.getMaterial() instanceof Material material && impulse > material.m_rigidity;
+  /** The blows of one body on the parts of a compound add up. */
+  private boolean yields(Fixture fixture, Body by, double impulse) {
+    if (!(fixture.getMaterial() instanceof Material material)) {
+      return false;
+    }
+    Object breakable = fixture.getCompound() == null ? fixture : fixture.getCompound();
+    double all =
+        blows
+            .computeIfAbsent(breakable, key -> new IdentityHashMap<>())
+            .merge(by, impulse, Double::sum);
+    return all > material.m_rigidity;
   }
 
   @Override
