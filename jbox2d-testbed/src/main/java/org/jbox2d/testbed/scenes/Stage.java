@@ -35,10 +35,14 @@ final class Stage {
    */
   static Stage inBox(World world) {
     Stage stage = new Stage(world);
-    stage.scenery(0f, -5f, 40f, 5f);
+    Body floor = stage.scenery(0f, -5f, 40f, 5f);
     stage.scenery(-41f, 30f, 2f, 40f);
     stage.scenery(41f, 30f, 2f, 40f);
-    stage.scenery(0f, Scenes.BOX_HEIGHT + 5f, 43f, 5f);
+    PolygonShape lid = new PolygonShape();
+    lid.setAsBox(43f, 5f, floor.getLocalPoint(new Vec2(0f, Scenes.BOX_HEIGHT + 5f)), 0f);
+    FixtureDef substance = substance(0f, FRICTION, null);
+    substance.shape = lid;
+    floor.createFixture(substance);
     return stage;
   }
 
