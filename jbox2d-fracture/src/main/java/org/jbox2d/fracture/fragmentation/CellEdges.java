@@ -119,22 +119,31 @@ final class CellEdges {
    */
   private void doubt(int cell) {
     int start = diagram.cellStart(cell);
-    int size = diagram.cellEnd(cell) - start;
-    for (int k = 0; k < size; k++) {
-      int a = diagram.cornerVertex(start + k);
-      int b = diagram.cornerVertex(start + (k + 1) % size);
-      int c = diagram.cornerVertex(start + (k + 2) % size);
-      double ux = diagram.vertexX(b) - diagram.vertexX(a);
-      double uy = diagram.vertexY(b) - diagram.vertexY(a);
+    int end = diagram.cellEnd(cell);
+    if (end - start < 2) {
+      return;
+    }
+    int a = diagram.cornerVertex(end - 2);
+    int b = diagram.cornerVertex(end - 1);
+    double ux = diagram.vertexX(b) - diagram.vertexX(a);
+    double uy = diagram.vertexY(b) - diagram.vertexY(a);
+    double uu = ux * ux + uy * uy;
+    for (int k = start; k < end; k++) {
+      int c = diagram.cornerVertex(k);
       double vx = diagram.vertexX(c) - diagram.vertexX(b);
       double vy = diagram.vertexY(c) - diagram.vertexY(b);
+      double vv = vx * vx + vy * vy;
       double cross = ux * vy - uy * vx;
-      double longest = Math.max(ux * ux + uy * uy, vx * vx + vy * vy);
-      if (cross <= 0 || cross * cross <= 4 * snap * snap * longest) {
+      if (cross <= 0 || cross * cross <= 4 * snap * snap * Math.max(uu, vv)) {
         doubtful[a] = true;
         doubtful[b] = true;
         doubtful[c] = true;
       }
+      a = b;
+      b = c;
+      ux = vx;
+      uy = vy;
+      uu = vv;
     }
   }
 

@@ -10,9 +10,6 @@ final class SegmentGrid {
   /** Side of the grid never exceeds this: a quarter million buckets. */
   private static final int MAXIMUM_SIDE = 512;
 
-  private double[] xy;
-  private int[] from;
-  private int[] to;
   private double margin;
   private int side;
   private double originX;
@@ -21,48 +18,68 @@ final class SegmentGrid {
   private double scaleY;
   private int[] start = new int[2];
   private int[] item = new int[64];
+
+  /** First and last column and row of each segment, in this order. */
+  private int[] range = new int[256];
+
+  /** Boxes of the segments, enlarged by the margin: left, lower, right, upper end. */
+  private double[] box = new double[256];
+
   private int[] stamp = new int[64];
   private int mark;
   private int[] found = new int[64];
 
-  /** Takes up segments; the arrays are kept until the next call. */
-  void build(double[] coordinates, int[] segmentFrom, int[] segmentTo, int count, double by) {
-    xy = coordinates;
-    from = segmentFrom;
-    to = segmentTo;
+  /** Takes up segments. */
+  void build(double[] xy, int[] from, int[] to, int count, double by) {
     margin = by;
     if (stamp.length < count) {
       stamp = new int[2 * count];
       found = new int[2 * count];
+      range = new int[8 * count];
+      box = new double[8 * count];
     }
     Arrays.fill(stamp, 0, count, 0);
     mark = 0;
-    frame(count);
+    frame(xy, from, to, count);
     int cells = side * side;
     if (start.length < cells + 1) {
       start = new int[cells + 1];
     }
     Arrays.fill(start, 0, cells + 1, 0);
-    countOrFill(count, false);
+    countSegments(count);
     for (int c = 0; c < cells; c++) {
       start[c + 1] += start[c];
     }
     if (item.length < start[cells]) {
       item = new int[start[cells] + start[cells] / 2];
     }
-    countOrFill(count, true);
+    for (int s = count - 1; s >= 0; s--) {
+      for (int r = range[4 * s + 2]; r <= range[4 * s + 3]; r++) {
+        for (int c = range[4 * s]; c <= range[4 * s + 1]; c++) {
+          item[--start[r * side + c]] = s;
+        }
+      }
+    }
   }
 
-  private void frame(int count) {
+  private void frame(double[] xy, int[] from, int[] to, int count) {
     double minX = Double.POSITIVE_INFINITY;
     double minY = Double.POSITIVE_INFINITY;
     double maxX = Double.NEGATIVE_INFINITY;
     double maxY = Double.NEGATIVE_INFINITY;
     for (int s = 0; s < count; s++) {
-      minX = Math.min(minX, minX(s));
-      maxX = Math.max(maxX, maxX(s));
-      minY = Math.min(minY, minY(s));
-      maxY = Math.max(maxY, maxY(s));
+      double ax = xy[2 * from[s]];
+      double ay = xy[2 * from[s] + 1];
+      double bx = xy[2 * to[s]];
+      double by = xy[2 * to[s] + 1];
+      box[4 * s] = Math.min(ax, bx) - margin;
+      box[4 * s + 1] = Math.min(ay, by) - margin;
+      box[4 * s + 2] = Math.max(ax, bx) + margin;
+      box[4 * s + 3] = Math.max(ay, by) + margin;
+      minX = Math.min(minX, box[4 * s]);
+      minY = Math.min(minY, box[4 * s + 1]);
+      maxX = Math.max(maxX, box[4 * s + 2]);
+      maxY = Math.max(maxY, box[4 * s + 3]);
     }
     side = Math.max(1, Math.min(MAXIMUM_SIDE, (int) Math.sqrt(count)));
     originX = minX;
@@ -71,39 +88,23 @@ final class SegmentGrid {
     scaleY = side / (maxY - minY);
   }
 
-  private double minX(int s) {
-    return Math.min(xy[2 * from[s]], xy[2 * to[s]]) - margin;
-  }
-
-  private double maxX(int s) {
-    return Math.max(xy[2 * from[s]], xy[2 * to[s]]) + margin;
-  }
-
-  private double minY(int s) {
-    return Math.min(xy[2 * from[s] + 1], xy[2 * to[s] + 1]) - margin;
-  }
-
-  private double maxY(int s) {
-    return Math.max(xy[2 * from[s] + 1], xy[2 * to[s] + 1]) + margin;
-  }
-
   /**
-   * First pass: counts the items of each bucket at its own index; the sums are then the ends of the
-   * buckets. Second pass: fills each from its end, which turns the ends into starts.
+   * Counts the items of each bucket at its own index; the sums are then the ends of the buckets,
+   * and filling each from its end turns the ends into starts.
    */
-  private void countOrFill(int count, boolean fill) {
-    for (int s = count - 1; s >= 0; s--) {
-      int x0 = column(minX(s));
-      int x1 = column(maxX(s));
-      int y0 = row(minY(s));
-      int y1 = row(maxY(s));
+  private void countSegments(int count) {
+    for (int s = 0; s < count; s++) {
+      int x0 = column(box[4 * s]);
+      int x1 = column(box[4 * s + 2]);
+      int y0 = row(box[4 * s + 1]);
+      int y1 = row(box[4 * s + 3]);
+      range[4 * s] = x0;
+      range[4 * s + 1] = x1;
+      range[4 * s + 2] = y0;
+      range[4 * s + 3] = y1;
       for (int r = y0; r <= y1; r++) {
         for (int c = x0; c <= x1; c++) {
-          if (fill) {
-            item[--start[r * side + c]] = s;
-          } else {
-            start[r * side + c]++;
-          }
+          start[r * side + c]++;
         }
       }
     }
@@ -120,7 +121,7 @@ final class SegmentGrid {
   /** Finds the segments near s, s not among them; returns their number. */
   int query(int s) {
     stamp[s] = ++mark;
-    return query(minX(s), maxX(s), minY(s), maxY(s));
+    return query(box[4 * s], box[4 * s + 2], box[4 * s + 1], box[4 * s + 3]);
   }
 
   /** Finds the segments near a point; returns their number. */
@@ -140,7 +141,10 @@ final class SegmentGrid {
           int t = item[k];
           if (stamp[t] != mark) {
             stamp[t] = mark;
-            if (maxX(t) >= minX && minX(t) <= maxX && maxY(t) >= minY && minY(t) <= maxY) {
+            if (box[4 * t + 2] >= minX
+                & box[4 * t] <= maxX
+                & box[4 * t + 3] >= minY
+                & box[4 * t + 1] <= maxY) {
               found[count++] = t;
             }
           }

@@ -13,7 +13,7 @@ import java.util.Arrays;
  */
 public final class KeyOrder {
   /** Up to this number of keys distribution does not pay. */
-  private static final int FEW = 40;
+  private static final int FEW = 16;
 
   private int[] order = new int[64];
   private int[] scratch = new int[64];

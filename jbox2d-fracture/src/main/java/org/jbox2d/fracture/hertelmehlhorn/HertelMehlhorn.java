@@ -31,9 +31,16 @@ import org.jbox2d.fracture.triangulation.TriangleMesh;
 final class HertelMehlhorn {
   private final KeyOrder byLength = new KeyOrder();
   private TriangleMesh mesh;
-  private double[] xy;
 
+  /** Interleaved coordinates of the vertices that the half-edges start from. */
+  private double[] start = new double[0];
+
+  /**
+   * The diagonals that may be removed, and their lengths. One whose two triangles alone have a
+   * reflex angle at an end is essential in every order: parts only grow.
+   */
   private int diagonalCount;
+
   private int[] diagonal = new int[0];
   private double[] squaredLength = new double[0];
   private int[] shortestFirst;
@@ -58,17 +65,28 @@ final class HertelMehlhorn {
   /** Takes up a triangulation. */
   void begin(Outline outline, TriangleMesh triangles) {
     mesh = triangles;
-    xy = outline.coordinates();
-    ensure(mesh.halfEdgeCount());
+    int n = mesh.halfEdgeCount();
+    ensure(n);
+    double[] xy = outline.coordinates();
+    for (int h = 0; h < n; h++) {
+      int v = mesh.vertex(h);
+      start[2 * h] = xy[2 * v];
+      start[2 * h + 1] = xy[2 * v + 1];
+    }
     diagonalCount = 0;
-    for (int h = 0; h < mesh.halfEdgeCount(); h++) {
-      if (h < mesh.twin(h)) {
+    for (int h = 0; h < n; h++) {
+      int t = mesh.twin(h);
+      if (h < t && turn(preceding(h), following[t]) >= 0 && turn(preceding(t), following[h]) >= 0) {
         squaredLength[diagonalCount] = squaredLength(h);
         diagonal[diagonalCount++] = h;
       }
     }
     shortestFirst = null;
     bestCount = Integer.MAX_VALUE;
+  }
+
+  private int preceding(int h) {
+    return following[following[h]];
   }
 
   private void ensure(int n) {
@@ -83,6 +101,7 @@ final class HertelMehlhorn {
       diagonal = new int[size];
       squaredLength = new double[size];
       out = new double[2 * size];
+      start = new double[2 * size];
       done = new boolean[size];
       following = new int[size];
       for (int h = 0; h < size; h++) {
@@ -92,10 +111,9 @@ final class HertelMehlhorn {
   }
 
   private double squaredLength(int h) {
-    int a = mesh.vertex(h);
-    int b = mesh.vertex(following[h]);
-    double dx = xy[2 * b] - xy[2 * a];
-    double dy = xy[2 * b + 1] - xy[2 * a + 1];
+    int next = following[h];
+    double dx = start[2 * next] - start[2 * h];
+    double dy = start[2 * next + 1] - start[2 * h + 1];
     return dx * dx + dy * dy;
   }
 
@@ -144,15 +162,15 @@ final class HertelMehlhorn {
     sort();
     int end = diagonalCount;
     while (end > 0) {
-      int start = end - 1;
-      double length = squaredLength[shortestFirst[start]];
-      while (start > 0 && squaredLength[shortestFirst[start - 1]] == length) {
-        start--;
+      int first = end - 1;
+      double length = squaredLength[shortestFirst[first]];
+      while (first > 0 && squaredLength[shortestFirst[first - 1]] == length) {
+        first--;
       }
-      for (int k = start; k < end; k++) {
+      for (int k = first; k < end; k++) {
         tryRemove(diagonal[shortestFirst[k]], mostVertices);
       }
-      end = start;
+      end = first;
     }
   }
 
@@ -206,8 +224,7 @@ final class HertelMehlhorn {
 
   /** Turn at the vertex where half-edge h ends and the next one starts. */
   private int turn(int h, int next) {
-    return Predicates.orientation(
-        xy, mesh.vertex(h), mesh.vertex(next), mesh.vertex(following[next]));
+    return Predicates.orientation(start, h, next, following[next]);
   }
 
   private void keep() {
@@ -235,8 +252,8 @@ final class HertelMehlhorn {
       do {
         done[e] = true;
         if (turn(bestBefore[e], e) != 0) {
-          out[2 * size] = xy[2 * mesh.vertex(e)];
-          out[2 * size + 1] = xy[2 * mesh.vertex(e) + 1];
+          out[2 * size] = start[2 * e];
+          out[2 * size + 1] = start[2 * e + 1];
           size++;
         }
         e = bestAfter[e];

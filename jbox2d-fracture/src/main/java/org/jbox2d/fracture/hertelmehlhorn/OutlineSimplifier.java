@@ -9,10 +9,10 @@ import org.jbox2d.fracture.geometry.OutlineCheck;
  *
  * <p>An edge a-b shorter than the resolution, between neighbours p and q, becomes one vertex c: the
  * middle of a and b, moved at right angles to p-q until the areas of p, a, b, q and p, c, q are the
- * same; if that is farther than {@link #FARTHEST} resolutions, just the middle. A vertex that
- * sticks out over its neighbours by less than a few units in the last place is dropped. A hole that
- * becomes smaller than a triangle vanishes. If the result is no longer simple, the outline stays as
- * it was, rounded if it can be: the parts are filtered anyway.
+ * same, but no farther than {@link #FARTHEST} resolutions. A vertex that sticks out over its
+ * neighbours by less than a few units in the last place is dropped. A hole that becomes smaller
+ * than a triangle vanishes. If the result is no longer simple, the outline stays as it was, rounded
+ * if it can be: the parts are filtered anyway.
  */
 final class OutlineSimplifier {
   /**
@@ -130,8 +130,9 @@ final class OutlineSimplifier {
     double lacking = wanted - (mx * qy - my * qx);
     double base = qx * qx + qy * qy;
     // Moving c by t (qy, -qx) adds t |q|^2 to the cross product of c and q.
-    if (lacking * lacking <= FARTHEST * FARTHEST * resolution * resolution * base && base > 0) {
-      double t = lacking / base;
+    if (base > 0) {
+      double most = FARTHEST * resolution / Math.sqrt(base);
+      double t = Math.max(-most, Math.min(most, lacking / base));
       mx += t * qy;
       my -= t * qx;
     }

@@ -146,12 +146,17 @@ public final class DelaunayTriangulator implements Triangulator {
   private int queueCrossing(int a, int b) {
     int first = delaunay.firstEdge(a);
     int e = first;
-    while (!(turn(a, delaunay.destination(e), b) > 0
-        && turn(a, delaunay.destination(delaunay.next(e)), b) < 0)) {
-      e = delaunay.next(e);
+    int following = delaunay.next(e);
+    boolean left = turn(a, delaunay.destination(e), b) > 0;
+    int side = turn(a, delaunay.destination(following), b);
+    while (!left || side >= 0) {
+      left = side > 0;
+      e = following;
       if (e == first) {
         return -1;
       }
+      following = delaunay.next(e);
+      side = turn(a, delaunay.destination(following), b);
     }
     int count = 0;
     int crossed = delaunay.nextLeft(e);
@@ -165,7 +170,7 @@ public final class DelaunayTriangulator implements Triangulator {
       if (apex == b) {
         return count;
       }
-      int side = turn(a, b, apex);
+      side = turn(a, b, apex);
       if (side == 0) {
         return -1;
       }

@@ -146,6 +146,18 @@ public final class Delaunay {
     return count > 1 ? leftEdge ^ 1 : NONE;
   }
 
+  /**
+   * A number for each directed edge, for those who go on from here: next to what they ask for
+   * anyway. Anything after {@link #compute}.
+   */
+  int note(int e) {
+    return edges.note(e);
+  }
+
+  void setNote(int e, int value) {
+    edges.setNote(e, value);
+  }
+
   /** Whether a triangle lies left of e. */
   public boolean hasTriangleLeft(int e) {
     int f = nextLeft(e);
@@ -384,18 +396,21 @@ public final class Delaunay {
         rightValid = right == kept || isAbove(be, bb + ee, l, r, e);
       }
 
-      // The next base.
-      if (leftValid
-          && !(rightValid
-              && isInside(cc * be - bb * (cx * ey - cy * ex) - ee * bc, bb, cc, ee, l, r, c, e))) {
-        base = edges.connect(base ^ 1, left ^ 1);
-        l = c;
-      } else if (rightValid) {
-        base = edges.connect(right, base ^ 1);
-        r = e;
-      } else {
+      // The next base: left of right, chosen without a branch, since either is as likely.
+      if (!leftValid && !rightValid) {
         return;
       }
+      boolean toLeft = leftValid;
+      if (leftValid && rightValid) {
+        double hidden = cc * be - bb * (cx * ey - cy * ex) - ee * bc;
+        double bound = INSIDE_BOUND * (bb * (cc + ee) + cc * ee);
+        toLeft = Math.abs(hidden) > bound ? hidden < 0 : inCircle(l, r, c, e) <= 0;
+      }
+      int from = toLeft ? base ^ 1 : right;
+      int to = toLeft ? left ^ 1 : base ^ 1;
+      l = toLeft ? c : l;
+      r = toLeft ? r : e;
+      base = edges.connect(from, to, r, l);
     }
   }
 

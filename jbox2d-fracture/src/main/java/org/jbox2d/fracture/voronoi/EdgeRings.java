@@ -23,7 +23,7 @@ package org.jbox2d.fracture.voronoi;
 final class EdgeRings {
   static final int NONE = -1;
 
-  /** Elements of {@link #record} for a directed edge: origin, next, previous, and one to spare. */
+  /** Elements of {@link #record} for a directed edge: origin, next, previous, note. */
   private static final int SHIFT = 2;
 
   private int[] record = new int[0];
@@ -69,6 +69,15 @@ final class EdgeRings {
     return record[((e ^ 1) << SHIFT) + 2];
   }
 
+  /** What has been noted for e last; anything for a new edge. */
+  int note(int e) {
+    return record[(e << SHIFT) + 3];
+  }
+
+  void setNote(int e, int value) {
+    record[(e << SHIFT) + 3] = value;
+  }
+
   /** Makes an edge that is alone at both its ends. */
   int make(int from, int to) {
     int e = free;
@@ -106,7 +115,12 @@ final class EdgeRings {
 
   /** New edge from the end of a to the start of b, such that all three have the same left face. */
   int connect(int a, int b) {
-    int e = make(destination(a), origin(b));
+    return connect(a, b, destination(a), origin(b));
+  }
+
+  /** The same, for those who know where the edge starts and ends. */
+  int connect(int a, int b, int from, int to) {
+    int e = make(from, to);
     int x = nextLeft(a);
     int y = next(b);
     link(x, e);

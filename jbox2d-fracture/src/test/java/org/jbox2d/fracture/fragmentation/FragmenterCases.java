@@ -30,7 +30,7 @@ final class FragmenterCases {
   static Case make(OutlineKind outlineKind, SiteKind siteKind, long seed) {
     Random random = new Random(seed * 1_000_003 + outlineKind.ordinal() * 101 + siteKind.ordinal());
     Case result = new Case();
-    int n = random.nextInt(20) == 0 ? 3 + random.nextInt(200) : 3 + random.nextInt(24);
+    int n = random.nextInt(20) == 0 ? 3 + random.nextInt(510) : 3 + random.nextInt(24);
     int holes = random.nextInt(3) == 0 ? 1 + random.nextInt(4) : 0;
     Outline unit = outlineKind.make(random, n, holes);
     double scale = SCALES[random.nextInt(SCALES.length)];
@@ -98,44 +98,5 @@ final class FragmenterCases {
     Fragmentation result =
         fragmenter.fragment(c.outline, c.sites, c.siteCount, c.regions, c.limits);
     return FragmentationOracle.fault(c.outline, result, c.areaTolerance, overlaps);
-  }
-
-  /**
-   * Runs the cases of the given range of seeds in all classes and prints the counts; for a long run
-   * by hand.
-   */
-  public static void main(String[] arguments) {
-    long count = Long.parseLong(arguments[0]);
-    long first = arguments.length > 1 ? Long.parseLong(arguments[1]) : 0;
-    Fragmenter fragmenter = new Fragmenter();
-    long bad = 0;
-    long run = 0;
-    for (OutlineKind outlineKind : OutlineKind.values()) {
-      StringBuilder line = new StringBuilder(outlineKind.name());
-      for (SiteKind siteKind : SiteKind.values()) {
-        int badHere = 0;
-        for (long seed = first; seed < first + count; seed++) {
-          String fault;
-          try {
-            fault = run(fragmenter, make(outlineKind, siteKind, seed), run % 50 == 0);
-          } catch (RuntimeException e) {
-            java.io.StringWriter trace = new java.io.StringWriter();
-            e.printStackTrace(new java.io.PrintWriter(trace));
-            fault = trace.toString();
-          }
-          run++;
-          if (fault != null) {
-            badHere++;
-            if (badHere <= 2) {
-              System.out.println(outlineKind + " " + siteKind + " " + seed + " " + fault);
-            }
-          }
-        }
-        bad += badHere;
-        line.append(' ').append(badHere);
-      }
-      System.out.println(line);
-    }
-    System.out.println(bad + " bad of " + run);
   }
 }

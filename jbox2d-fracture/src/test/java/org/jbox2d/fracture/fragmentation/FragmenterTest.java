@@ -20,6 +20,9 @@ class FragmenterTest {
   /** Cases of each kind of outline in a normal build; -Dgeometry.cases=N for more. */
   private static final int CASES = Integer.getInteger("geometry.cases", 2000);
 
+  /** Seed of the first case, to run others than usual: -Dgeometry.first=N. */
+  private static final int FIRST = Integer.getInteger("geometry.first", 0);
+
   @ParameterizedTest
   @EnumSource(OutlineKind.class)
   void tilesEveryKindOfOutlineForEveryKindOfSites(OutlineKind outlineKind) {
@@ -27,13 +30,13 @@ class FragmenterTest {
     int seeds = (CASES + SiteKind.values().length - 1) / SiteKind.values().length;
     int broken = 0;
     for (SiteKind siteKind : SiteKind.values()) {
-      for (int seed = 0; seed < seeds; seed++) {
+      for (int seed = FIRST; seed < FIRST + seeds; seed++) {
         FragmenterCases.Case c = FragmenterCases.make(outlineKind, siteKind, seed);
         Fragmentation result =
             fragmenter.fragment(c.outline, c.sites, c.siteCount, c.regions, c.limits);
         String fault =
             FragmentationOracle.fault(c.outline, result, c.areaTolerance, seed % 16 == 0);
-        assertNull(fault, () -> outlineKind + " " + siteKind);
+        assertNull(fault, outlineKind + " " + siteKind + " " + seed);
         broken += result.status() == FragmentationStatus.BROKEN ? 1 : 0;
       }
     }

@@ -5,6 +5,7 @@ import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.geometry.OutlineCheck;
 import org.jbox2d.fracture.geometry.OutlineDefect;
 import org.jbox2d.fracture.geometry.Rings;
+import org.jbox2d.fracture.geometry.Segments;
 
 /**
  * Kinds of outlines: each makes a simple polygon of about n vertices in the square from -1 to 1,
@@ -82,7 +83,7 @@ public enum OutlineKind {
       case SPIRAL:
         return spiral(n);
       case RANDOM:
-        return twoOpt(random, Math.min(n, 128));
+        return twoOpt(random, Math.min(n, 512));
       case COLLINEAR_VERTICES:
         return collinear(n);
       default:
@@ -181,9 +182,9 @@ public enum OutlineKind {
         for (int j = i + 2; j < n; j++) {
           int after = (j + 1) % n;
           if (after != i
+              && Segments.touch(xy, i, i + 1, j, after)
               && distance(xy, i, i + 1) + distance(xy, j, after)
-                  > distance(xy, i, j) + distance(xy, i + 1, after) + 1e-12
-              && org.jbox2d.fracture.geometry.Segments.touch(xy, i, i + 1, j, after)) {
+                  > distance(xy, i, j) + distance(xy, i + 1, after) + 1e-12) {
             Rings.reverse(xy, i + 1, j + 1);
             changed = true;
           }

@@ -27,18 +27,24 @@ class ConvexDecompositionTest {
   /** Cases of each class in a normal build; -Dgeometry.cases=N for more. */
   private static final int CASES = Integer.getInteger("geometry.cases", 2000);
 
+  /** Seed of the first case, to run others than usual: -Dgeometry.first=N. */
+  private static final int FIRST = Integer.getInteger("geometry.first", 0);
+
+  /** Fragmentations of each kind of outline whose pieces go to the engine. */
+  private static final int FRAGMENTATIONS = 40;
+
   private static final double RESOLUTION = 0.501 * Settings.linearSlop;
 
   @ParameterizedTest
   @EnumSource(OutlineKind.class)
   void partsAreConvexAndTileTheOutline(OutlineKind kind) {
     ConvexDecomposition decomposition = new ConvexDecomposition();
-    for (int seed = 0; seed < CASES; seed++) {
+    for (int seed = FIRST; seed < FIRST + CASES; seed++) {
       Outline outline = DecompositionCases.make(kind, seed);
       int most = 3 + seed % 8;
       ConvexDecomposition.Result result = decomposition.decompose(outline, most, 0);
       String fault = DecompositionOracle.fault(outline, result, most, 1e-6, seed % 20 == 0);
-      assertNull(fault, () -> kind + ": " + fault);
+      assertNull(fault, kind + " " + seed);
     }
   }
 
@@ -76,7 +82,7 @@ class ConvexDecompositionTest {
     ConvexDecomposition decomposition = new ConvexDecomposition();
     Fragmenter fragmenter = new Fragmenter();
     int parts = 0;
-    for (int seed = 0; seed < CASES / 50; seed++) {
+    for (int seed = 0; seed < FRAGMENTATIONS; seed++) {
       Random random = new Random(seed);
       Outline unit = kind.make(random, 4 + random.nextInt(16), random.nextInt(2));
       double[] xy = unit.coordinates().clone();
@@ -85,7 +91,7 @@ class ConvexDecompositionTest {
         xy[i] *= scale;
       }
       Outline body = new Outline(xy, unit.ringStarts());
-      SiteKind siteKind = SiteKind.values()[seed % SiteKind.values().length];
+      SiteKind siteKind = SiteKind.values()[seed % SiteKind.ALIGNED_GRID.ordinal()];
       double[] sites = siteKind.make(random, 100);
       for (int i = 0; i < sites.length; i++) {
         sites[i] *= scale;
@@ -114,7 +120,7 @@ class ConvexDecompositionTest {
       }
       assertEquals(1, total / body.area(), 1e-4, kind + " " + siteKind + " " + seed);
     }
-    assertTrue(parts > CASES / 10, "parts: " + parts);
+    assertTrue(parts > 5 * FRAGMENTATIONS, "parts: " + parts);
   }
 
   @Test

@@ -24,26 +24,4 @@ final class DecompositionCases {
     Outline outline = new Outline(xy, unit.ringStarts());
     return OutlineCheck.of(outline).defect() == OutlineDefect.NONE ? outline : unit;
   }
-
-  /** Runs the given number of cases of each class and prints the counts. */
-  public static void main(String[] arguments) {
-    long count = Long.parseLong(arguments[0]);
-    ConvexDecomposition decomposition = new ConvexDecomposition();
-    long bad = 0;
-    for (OutlineKind kind : OutlineKind.values()) {
-      int badHere = 0;
-      for (long seed = 0; seed < count; seed++) {
-        Outline outline = make(kind, seed);
-        String fault =
-            DecompositionOracle.fault(
-                outline, decomposition.decompose(outline, 8, 0), 8, 1e-6, seed % 20 == 0);
-        if (fault != null && badHere++ < 3) {
-          System.out.println(kind + " " + seed + " " + fault);
-        }
-      }
-      bad += badHere;
-      System.out.println(kind + " " + badHere);
-    }
-    System.out.println(bad + " bad");
-  }
 }

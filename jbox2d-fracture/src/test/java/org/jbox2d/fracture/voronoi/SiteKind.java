@@ -15,16 +15,21 @@ public enum SiteKind {
   ALL_OUTSIDE,
   COCIRCULAR,
   NEARLY_COLLINEAR,
-  TINY_CLUSTER;
+  TINY_CLUSTER,
+  ALIGNED_GRID,
+  TURNED_GRID;
 
   /** Interleaved coordinates of n sites; every coordinate is a float. */
   public double[] make(Random random, int n) {
     double[] xy = new double[2 * n];
     int side = Math.max(1, (int) Math.round(Math.sqrt(n)));
+    int aligned = 4 * Math.max(1, Math.round(side / 4f));
+    double turn = 0;
     for (int i = 0; i < n; i++) {
       double x = 2 * random.nextDouble() - 1;
       double y = 2 * random.nextDouble() - 1;
       double angle = 2 * Math.PI * random.nextDouble();
+      turn = i == 0 ? angle : turn;
       switch (this) {
         case LOG_POLAR -> {
           double radius = -Math.log(1 - random.nextDouble()) * 0.3;
@@ -69,6 +74,17 @@ public enum SiteKind {
         case TINY_CLUSTER -> {
           x = 0.1 + x * 1e-5;
           y = 0.2 + y * 1e-5;
+        }
+        case ALIGNED_GRID -> {
+          // Reaches from -2 to 2, with edges of cells along the sides of the square.
+          x = -2 + (4.0 * (i % aligned) + 2) / aligned;
+          y = -2 + (4.0 * (i / aligned % aligned) + 2) / aligned;
+        }
+        case TURNED_GRID -> {
+          double u = -1 + (2.0 * (i % side) + 1) / side;
+          double v = -1 + (2.0 * (i / side) + 1) / side;
+          x = u * Math.cos(turn) - v * Math.sin(turn);
+          y = u * Math.sin(turn) + v * Math.cos(turn);
         }
         default -> {}
       }
