@@ -150,6 +150,8 @@ final class TestbedCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     PrintWriter out = spec.commandLine().getOut();
+    // Asked for first: a run without a window tells AWT that there is no display, for good.
+    boolean noDisplay = GraphicsEnvironment.isHeadless();
     if (list) {
       printScenes(out);
       return CommandLine.ExitCode.OK;
@@ -166,7 +168,7 @@ final class TestbedCommand implements Callable<Integer> {
       return CommandLine.ExitCode.OK;
     }
     boolean asked = needsNoWindow();
-    if (!GraphicsEnvironment.isHeadless() && !asked) {
+    if (!noDisplay && !asked) {
       TestbedWindow.open(setup, WindowSettings.ofUser());
       return CommandLine.ExitCode.OK;
     }

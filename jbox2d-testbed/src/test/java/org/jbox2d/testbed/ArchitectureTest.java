@@ -22,6 +22,23 @@ class ArchitectureTest {
           .resideInAnyPackage(
               "java.awt..", "javax.swing..", "javax.imageio..", "..testbed.paint..");
 
+  /** What is painted are snapshots; a world that is being stepped is not within reach. */
+  @ArchTest
+  static final ArchRule windowAndPaintersKnowNoWorld =
+      noClasses()
+          .that()
+          .resideInAnyPackage("..testbed.ui..", "..testbed.paint..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage(
+              "org.jbox2d.fracture..",
+              "org.jbox2d.dynamics.contacts..",
+              "org.jbox2d.dynamics.joints..",
+              "org.jbox2d.collision..")
+          .orShould()
+          .dependOnClassesThat()
+          .haveNameMatching("org\\.jbox2d\\.dynamics\\.(World|Body|Fixture)");
+
   @ArchTest
   static final ArchRule swingIsOfTheWindowAlone =
       noClasses()

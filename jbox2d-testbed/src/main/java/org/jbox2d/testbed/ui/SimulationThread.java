@@ -45,6 +45,9 @@ final class SimulationThread {
   /** Numbers of each step of the run, the oldest first. Guarded by {@link #past}. */
   private final List<Snapshot.Counts> figures = new ArrayList<>();
 
+  /** What a long command is at; {@code null} if none runs. */
+  private volatile String busy;
+
   private volatile boolean going;
   private volatile boolean closed;
 
@@ -115,6 +118,11 @@ final class SimulationThread {
     synchronized (past) {
       return Math.max(0, past.size() - 1);
     }
+  }
+
+  /** Returns what a long command is at; {@code null} if none runs. */
+  String busy() {
+    return busy;
   }
 
   /** Returns whether the run goes. */
@@ -226,12 +234,14 @@ final class SimulationThread {
 
   private void rewind(int step) {
     SnapshotTaker[] taker = new SnapshotTaker[1];
+    int last = Math.min(step, run.steps());
     Simulation again =
         Simulation.repeat(
             run.setup(),
             run.inputs(),
-            Math.min(step, run.steps()),
+            last,
             r -> {
+              busy = "Going back: step " + r.steps() + " of " + last + " again";
               if (taker[0] == null) {
                 taker[0] = new SnapshotTaker(r);
               }
@@ -242,6 +252,7 @@ final class SimulationThread {
       figures.removeIf(counts -> counts.steps() > again.steps());
     }
     show(again, taker[0]);
+    busy = null;
   }
 
   private void loop() {

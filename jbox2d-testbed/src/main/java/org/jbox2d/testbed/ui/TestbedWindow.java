@@ -54,7 +54,7 @@ public final class TestbedWindow {
   private final JComboBox<Scene> scenes = new JComboBox<>(Scenes.all().toArray(new Scene[0]));
   private final JComboBox<Speed> speeds = new JComboBox<>(Speed.values());
   private final JSlider timeline = new JSlider(0, 0, 0);
-  private final Timer refresh = new Timer(REFRESH, e -> showTimeline());
+  private final Timer refresh = new Timer(REFRESH, e -> followRun());
   private final JButton startStop;
   private final SceneList sceneList = new SceneList(this::choose);
   private final ParameterPanel parameters;
@@ -68,6 +68,9 @@ public final class TestbedWindow {
 
   /** How many snapshots before the last one is shown. */
   private int back;
+
+  /** Whether the simulation was at something long when it was last looked at. */
+  private boolean wasBusy;
 
   /** Whether the program is changing a control itself. */
   private boolean quiet;
@@ -252,6 +255,17 @@ public final class TestbedWindow {
     showTimeline();
     startStop.setText(going ? "Stop" : "Start");
     canvas.setHint(going ? null : START_HINT);
+  }
+
+  private void followRun() {
+    showTimeline();
+    String busy = simulation.busy();
+    if (busy != null) {
+      canvas.setHint(busy);
+    } else if (wasBusy) {
+      canvas.setHint(simulation.isGoing() ? null : START_HINT);
+    }
+    wasBusy = busy != null;
   }
 
   /** The right end is now. */
@@ -469,28 +483,6 @@ public final class TestbedWindow {
       refresh.stop();
       simulation.close();
       exports.close();
-    }
-  }
-
-  /** How much simulated time passes in a second. */
-  private enum Speed {
-    FULL("full speed", 1),
-    HALF("1/2", 1 / 2.0),
-    QUARTER("1/4", 1 / 4.0),
-    EIGHTH("1/8", 1 / 8.0),
-    SIXTEENTH("1/16", 1 / 16.0);
-
-    private final String label;
-    private final double factor;
-
-    Speed(String label, double factor) {
-      this.label = label;
-      this.factor = factor;
-    }
-
-    @Override
-    public String toString() {
-      return label;
     }
   }
 }
