@@ -35,6 +35,15 @@ public final class FractureSystem {
   private final Debris debris;
   private final Breaking breaking;
 
+  /** No lambda: making the first one of a program would take longer than the fracture. */
+  private final Runnable task =
+      new Runnable() {
+        @Override
+        public void run() {
+          breakRecorded();
+        }
+      };
+
   private FractureSystem(World world) {
     this.world = world;
     debris = new Debris(this, world);
@@ -47,6 +56,16 @@ public final class FractureSystem {
       throw new IllegalArgumentException("world is null");
     }
     return world.extension(FractureSystem.class, FractureSystem::new);
+  }
+
+  /**
+   * Breaks some small bodies in a world of its own, so that all that a fracture needs is loaded and
+   * has run before a game needs it: the first fracture of a program takes several times as long as
+   * the second, and that some tens of times as long as one when all is compiled. Call it while a
+   * game is loading, once; it takes some tenths of a second.
+   */
+  public static void warmUp() {
+    new Rehearsal().run();
   }
 
   // --- Recording, while the world is locked ---
@@ -62,7 +81,7 @@ public final class FractureSystem {
       return;
     }
     if (book.isEmpty()) {
-      world.defer(this::breakRecorded);
+      world.defer(task);
     }
     book.add(new Strike(fixture, material, blow));
   }

@@ -443,4 +443,11 @@ class CommandTest {
     assertTrue(refused[0] > 0);
     assertFalse(world.isLocked());
   }
+
+  @Test
+  void warmingUpLeavesNothingBehind() {
+    long before = FractureScenes.run(2, 40);
+    FractureSystem.warmUp();
+    assertEquals(before, FractureScenes.run(2, 40));
+  }
 }

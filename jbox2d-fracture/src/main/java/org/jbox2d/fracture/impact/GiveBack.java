@@ -91,7 +91,12 @@ public final class GiveBack {
   }
 
   private Change changeOf(Body body) {
-    return changes.computeIfAbsent(body, Change::new);
+    Change change = changes.get(body);
+    if (change == null) {
+      change = new Change(body);
+      changes.put(body, change);
+    }
+    return change;
   }
 
   /** Gives back what is due, group by group. */

@@ -41,7 +41,13 @@ public final class RequestBook {
 
   /** Enters a strike. */
   public void add(Strike strike) {
-    strikes.computeIfAbsent(strike.fixture.getBody(), b -> new ArrayList<>()).add(strike);
+    Body body = strike.fixture.getBody();
+    List<Strike> onBody = strikes.get(body);
+    if (onBody == null) {
+      onBody = new ArrayList<>();
+      strikes.put(body, onBody);
+    }
+    onBody.add(strike);
   }
 
   /**
