@@ -29,6 +29,15 @@ final class IslandSolver {
 
   private static final float EFFORT_FALL = 0.7f;
 
+  /**
+   * Up to how many substeps an island gets one more after each step that its joints ended out of
+   * tolerance.
+   */
+  private static final int RESIDUAL_SUBSTEPS = 6;
+
+  /** Contacts and joints of an island times its substeps, above the usual number of those. */
+  private static final int MOST_EFFORT = 1024;
+
   private final World world;
   private final Islands islands = new Islands();
   private final SolverBodies bodies = new SolverBodies();
@@ -258,8 +267,8 @@ final class IslandSolver {
         int n = solver.isAdaptive() ? substepsOf(k, step, solver) : solver.getLeastSubsteps();
         settled[k] =
             soft.solve(islands.bodies, b[k], b[k + 1], c[k], c[k + 1], j[k], j[k + 1], step, n);
-        if (solver.isAdaptive() && !soft.jointsSettled()) {
-          keepEffort(k, Math.min(2 * n, solver.getMostSubsteps()), 0);
+        if (solver.isAdaptive() && !soft.jointsSettled() && n < RESIDUAL_SUBSTEPS) {
+          keepEffort(k, Math.min(n + 1, mostSubsteps(k, solver)), 0);
         }
       }
     }
@@ -278,7 +287,8 @@ final class IslandSolver {
     if (jointed) {
       now = Math.max(now, effort.ofJoints(j[island], j[island + 1], step));
     }
-    now = Math.min(now, solver.getMostSubsteps());
+    int most = mostSubsteps(island, solver);
+    now = Math.min(now, most);
     float held = 0f;
     int age = Integer.MAX_VALUE;
     for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
@@ -286,7 +296,7 @@ final class IslandSolver {
       held = Math.max(held, b.effort);
       age = Math.min(age, b.effortAge);
     }
-    if (now > held || held > solver.getMostSubsteps()) {
+    if (now > held || held > most) {
       held = now;
       age = 0;
     } else if (now >= EFFORT_FALL * held) {
@@ -298,6 +308,21 @@ final class IslandSolver {
     int n = (int) Math.ceil(held);
     keepEffort(island, n, age);
     return n;
+  }
+
+  /**
+   * The bound of the substeps of an island: that of the solver, and for a large one what keeps its
+   * cost in bounds. In a pile of thousands it is no matter if some small body gives way to its
+   * load.
+   */
+  private int mostSubsteps(int island, Solver solver) {
+    int rows =
+        islands.contactStart[island + 1]
+            - islands.contactStart[island]
+            + islands.jointStart[island + 1]
+            - islands.jointStart[island];
+    int affordable = Math.max(Solver.DEFAULT_SUBSTEPS, MOST_EFFORT / rows);
+    return Math.max(solver.getLeastSubsteps(), Math.min(solver.getMostSubsteps(), affordable));
   }
 
   /** Notes how many substeps an island has, and for how long it has needed less. */

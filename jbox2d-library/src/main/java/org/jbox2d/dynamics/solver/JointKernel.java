@@ -36,13 +36,6 @@ public abstract class JointKernel {
     }
   }
 
-  /** Returns the largest of a row's first two kept impulses: those of a point, if it holds one. */
-  final float load(JointRows rows, int row) {
-    int o = rows.floatAt[row] + firstImpulse;
-    float first = Math.abs(rows.f[o]);
-    return impulses > 1 ? Math.max(first, Math.abs(rows.f[o + 1])) : first;
-  }
-
   /** Returns the largest {@code r w^2} of a row's arms, m/s^2; 0 for a row without arms. */
   float bend(JointRows rows, int row, SolverBodies bodies) {
     int o = rows.floatAt[row];
