@@ -45,7 +45,7 @@ public final class Effort {
   private static final float JOINT_FACTOR = 8f;
 
   /** Error of joints under load that is allowed, in slops. */
-  private static final float JOINT_SLOPS = 10f;
+  private static final float JOINT_SLOPS = 8f;
 
   /** Mass ratio that a joint of an island stands for, whatever the masses. */
   private static final float LENGTH_SHARE = 0.1f;
