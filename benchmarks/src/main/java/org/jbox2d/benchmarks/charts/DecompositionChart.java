@@ -9,6 +9,7 @@ import java.util.function.IntSupplier;
 import java.util.function.ToIntFunction;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.hertelmehlhorn.ConvexDecomposition;
+import org.jbox2d.fracture.hertelmehlhorn.DiagonalOrder;
 import org.jbox2d.fracture.hertelmehlhorn.MinimumDecomposition;
 import org.jbox2d.fracture.triangulation.DelaunayTriangulator;
 import org.jbox2d.fracture.triangulation.Poly2TriTriangulator;
@@ -53,8 +54,10 @@ final class DecompositionChart {
   /** A way to decompose; a result is a number of parts. */
   private enum Way {
     TRIANGLES("triangles alone", Drawing.PEER, false),
-    LIMITED("Hertel-Mehlhorn, 8 vertices at most", Drawing.OURS, true),
-    FREE("Hertel-Mehlhorn, no limit", Drawing.OURS, false),
+    AS_FOUND("Hertel-Mehlhorn, diagonals as they come", Drawing.FOURTH, true),
+    LONGEST("Hertel-Mehlhorn, longest diagonal first", Drawing.FOURTH, false),
+    LIMITED("Hertel-Mehlhorn, best of three orders, 8 vertices at most", Drawing.OURS, true),
+    FREE("Hertel-Mehlhorn, best of three orders", Drawing.OURS, false),
     MINIMUM("minimum", Drawing.THIRD, false);
 
     final String label;
@@ -68,14 +71,21 @@ final class DecompositionChart {
     }
 
     ToIntFunction<Outline> task() {
-      ConvexDecomposition decomposition = new ConvexDecomposition();
       return switch (this) {
         case TRIANGLES -> triangles(new DelaunayTriangulator());
-        case LIMITED -> o -> decomposition.decompose(o, MOST_VERTICES, 0).parts().count();
-        case FREE -> o -> decomposition.decompose(o, UNLIMITED, 0).parts().count();
+        case AS_FOUND -> merged(UNLIMITED, DiagonalOrder.AS_FOUND);
+        case LONGEST -> merged(UNLIMITED, DiagonalOrder.LONGEST_FIRST);
+        case LIMITED -> merged(MOST_VERTICES, DiagonalOrder.values());
+        case FREE -> merged(UNLIMITED, DiagonalOrder.values());
         case MINIMUM -> MinimumDecomposition::parts;
       };
     }
+  }
+
+  private static ToIntFunction<Outline> merged(int mostVertices, DiagonalOrder... orders) {
+    ConvexDecomposition decomposition =
+        new ConvexDecomposition(new DelaunayTriangulator(), null, orders);
+    return o -> decomposition.decompose(o, mostVertices, 0).parts().count();
   }
 
   private static ToIntFunction<Outline> triangles(Triangulator triangulator) {

@@ -25,6 +25,9 @@ public final class Drawing {
   /** Of a third. */
   public static final Color THIRD = new Color(0x3B8F4A);
 
+  /** Purple: a fourth thing. */
+  public static final Color FOURTH = new Color(0x8A4FA3);
+
   private static final int WIDTH = 800;
   private static final int HEIGHT = 520;
   private static final float LINE = 2;

@@ -9,7 +9,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 
 /** Seeded inputs, in our form and in that of JTS. */
-final class Inputs {
+public final class Inputs {
   static final GeometryFactory JTS = new GeometryFactory();
 
   private Inputs() {}
@@ -30,7 +30,7 @@ final class Inputs {
   }
 
   /** A star that fills the unit square, with n vertices, every other at half the radius. */
-  static Outline star(int n) {
+  public static Outline star(int n) {
     double[] xy = new double[2 * n];
     for (int i = 0; i < n; i++) {
       double angle = 2 * StrictMath.PI * i / n;
@@ -45,7 +45,7 @@ final class Inputs {
    * A random simple polygon: a closed tour of random points, uncrossed by reversing the part
    * between two edges that touch until none do. Each reversal shortens the tour, so this ends.
    */
-  static Outline polygon(int n, long seed) {
+  public static Outline polygon(int n, long seed) {
     double[] xy = points(n, seed);
     boolean crossed = true;
     while (crossed) {

@@ -37,7 +37,7 @@ class GeometryChartsTest {
     assertEquals(5, Files.readAllLines(directory.resolve("fragmentation.csv")).size());
     assertEquals(6, Files.readAllLines(directory.resolve("triangulation.csv")).size());
     List<String> rows = Files.readAllLines(directory.resolve("decomposition.csv"));
-    assertEquals(9, rows.size());
+    assertEquals(13, rows.size());
     for (String row : rows.subList(1, rows.size())) {
       String[] cells = row.split(",");
       double mean = Double.parseDouble(cells[3]);

@@ -286,21 +286,32 @@ public final class OutlineCheck {
   }
 
   private boolean holesPlaced() {
-    double[] xy = outline.coordinates();
     for (int r = 1; r < outline.ringCount(); r++) {
-      int i = outline.ringStart(r);
-      if (Rings.locate(xy, 0, outline.ringEnd(0), outline.x(i), outline.y(i)) < 0) {
-        return fail(OutlineDefect.HOLE_OUTSIDE, i, -1);
+      int first = outline.ringStart(r);
+      if (side(r, 0) < 0) {
+        return fail(OutlineDefect.HOLE_OUTSIDE, first, -1);
       }
       for (int s = 1; s < outline.ringCount(); s++) {
-        if (s != r
-            && Rings.locate(
-                    xy, outline.ringStart(s), outline.ringEnd(s), outline.x(i), outline.y(i))
-                > 0) {
-          return fail(OutlineDefect.HOLE_IN_HOLE, i, outline.ringStart(s));
+        if (s != r && side(r, s) > 0) {
+          return fail(OutlineDefect.HOLE_IN_HOLE, first, outline.ringStart(s));
         }
       }
     }
     return true;
+  }
+
+  /**
+   * Where ring r is relative to ring s, which it does not cross: that of its first vertex that does
+   * not touch s.
+   *
+   * @return +1 inside, -1 outside, 0 if all its vertices touch s
+   */
+  private int side(int r, int s) {
+    double[] xy = outline.coordinates();
+    int side = 0;
+    for (int i = outline.ringStart(r); side == 0 && i < outline.ringEnd(r); i++) {
+      side = Rings.locate(xy, outline.ringStart(s), outline.ringEnd(s), xy[2 * i], xy[2 * i + 1]);
+    }
+    return side;
   }
 }

@@ -1,6 +1,7 @@
 package org.jbox2d.fracture.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -42,5 +43,50 @@ class OutlineCheckTest {
     Outline overlapping =
         Outline.ofRings(new double[] {0, 0, 4, 0, 4, 4, 0, 4}, new double[] {0, 0, 4, 0, 2, 1});
     assertEquals(OutlineDefect.RINGS_MEET, OutlineCheck.ofTouching(overlapping).defect());
+  }
+
+  /** Only its first vertex touches the outer ring, and that was all that was looked at. */
+  @Test
+  void holesThatTouchFromOutsideAreOutside() {
+    Outline beside =
+        Outline.ofRings(new double[] {0, 0, 4, 0, 4, 4, 0, 4}, new double[] {4, 4, 5, 6, 6, 5});
+    assertEquals(OutlineDefect.HOLE_OUTSIDE, OutlineCheck.ofTouching(beside).defect());
+    Outline within =
+        Outline.ofRings(
+            new double[] {0, 0, 9, 0, 9, 9, 0, 9},
+            new double[] {1, 1, 1, 8, 8, 1},
+            new double[] {1, 1, 2, 3, 3, 2});
+    assertEquals(OutlineDefect.HOLE_IN_HOLE, OutlineCheck.ofTouching(within).defect());
+  }
+
+  @Test
+  void usedAgainItSaysTheSame() throws IOException {
+    OutlineCheck used = new OutlineCheck();
+    for (WktOutlines.Line line : refused()) {
+      OutlineCheck fresh = OutlineCheck.of(line.outline);
+      assertFalse(used.run(line.outline, false));
+      assertEquals(fresh.message(), used.message());
+      for (WktOutlines.Line good : valid()) {
+        assertTrue(used.run(good.outline, false), good.toString());
+        assertEquals(OutlineDefect.NONE, used.defect());
+      }
+    }
+  }
+
+  @Test
+  void strictlyConvexRingsGoAroundOnceAndTurnOneWay() {
+    double[] square = {0, 0, 2, 0, 2, 2, 0, 2};
+    assertTrue(Rings.isStrictlyConvex(square, 0, 4));
+    Rings.reverse(square, 0, 4);
+    assertTrue(Rings.isStrictlyConvex(square, 0, 4));
+    assertFalse(Rings.isStrictlyConvex(new double[] {0, 0, 2, 0, 4, 0, 2, 2}, 0, 4));
+    assertFalse(Rings.isStrictlyConvex(new double[] {0, 0, 4, 0, 4, 4, 3, 1}, 0, 4));
+    assertFalse(Rings.isStrictlyConvex(new double[] {0, 0, 4, 0}, 0, 2));
+    double[] pentagram = new double[10];
+    for (int i = 0; i < 5; i++) {
+      pentagram[2 * i] = Math.cos(0.8 * Math.PI * i);
+      pentagram[2 * i + 1] = Math.sin(0.8 * Math.PI * i);
+    }
+    assertFalse(Rings.isStrictlyConvex(pentagram, 0, 5));
   }
 }

@@ -1,12 +1,16 @@
 package org.jbox2d.fracture.triangulation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.util.Random;
 import org.jbox2d.fracture.fragmentation.OutlineKind;
 import org.jbox2d.fracture.geometry.Outline;
+import org.jbox2d.fracture.geometry.OutlineCheck;
 import org.jbox2d.fracture.geometry.Predicates;
+import org.jbox2d.fracture.geometry.WktOutlines;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -85,5 +89,66 @@ class TriangulatorTest {
                   - (xy[2 * b + 1] - xy[2 * a + 1]) * (xy[2 * c] - xy[2 * a]));
     }
     assertEquals(outline.area(), area, 1e-12);
+  }
+
+  @Test
+  void knownFailuresOfPoly2triAreTriangulated() throws IOException {
+    TriangleMesh mesh = new TriangleMesh();
+    for (WktOutlines.Line line : WktOutlines.read("peers.wkt")) {
+      Outline outline = line.outline.normal();
+      assertFalse(new Poly2TriTriangulator().triangulate(outline, mesh), line.toString());
+      assertTrue(new DelaunayTriangulator().triangulate(outline, mesh), line.toString());
+      assertEquals(outline.vertexCount() - 2, mesh.triangleCount(), line.toString());
+      for (int t = 0; t < mesh.triangleCount(); t++) {
+        int a = mesh.vertex(3 * t);
+        int b = mesh.vertex(3 * t + 1);
+        int c = mesh.vertex(3 * t + 2);
+        assertEquals(1, Predicates.orientation(outline.coordinates(), a, b, c), line.toString());
+      }
+    }
+  }
+
+  /**
+   * The decomposition leaves it to the triangulator to find edges that meet: outlines spoiled by
+   * one vertex that goes astray are taken if and only if the check finds nothing.
+   */
+  @ParameterizedTest
+  @EnumSource(OutlineKind.class)
+  void delaunayRefusesWhateverMeets(OutlineKind kind) {
+    DelaunayTriangulator triangulator = new DelaunayTriangulator();
+    assertTrue(triangulator.refusesCrossings());
+    TriangleMesh mesh = new TriangleMesh();
+    OutlineCheck check = new OutlineCheck();
+    int refused = 0;
+    for (int seed = 0; seed < 5 * CASES; seed++) {
+      Random random = new Random(seed);
+      Outline whole = kind.make(random, 3 + random.nextInt(40), random.nextInt(3));
+      Outline outline = spoil(whole, random).normal();
+      if (check.runButCrossings(outline, true)) {
+        boolean valid = check.run(outline, true);
+        assertEquals(valid, triangulator.triangulate(outline, mesh), kind + " " + seed);
+        refused += valid ? 0 : 1;
+      }
+    }
+    assertTrue(refused > CASES / 2, "refused: " + refused);
+  }
+
+  /** Puts a vertex elsewhere: anywhere, on another vertex, or into the middle of an edge. */
+  private static Outline spoil(Outline outline, Random random) {
+    double[] xy = outline.coordinates().clone();
+    int n = outline.vertexCount();
+    int v = random.nextInt(n);
+    int a = random.nextInt(n);
+    int b = (a + 1) % n;
+    int where = random.nextInt(3);
+    for (int k = 0; k < 2; k++) {
+      xy[2 * v + k] =
+          switch (where) {
+            case 0 -> xy[2 * a + k];
+            case 1 -> 0.5 * (xy[2 * a + k] + xy[2 * b + k]);
+            default -> 2 * random.nextDouble() - 1;
+          };
+    }
+    return new Outline(xy, outline.ringStarts());
   }
 }
