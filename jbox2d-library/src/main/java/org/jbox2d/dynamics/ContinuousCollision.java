@@ -94,7 +94,7 @@ final class ContinuousCollision implements TreeCallback {
 
   void solve(StepConfig step) {
     this.step = step;
-    profile = world.getProfile();
+    profile = world.profile;
     margin = Settings.aabbExtension;
     slowWay = step.velocityThreshold * step.dt;
     farMovers = false;

@@ -48,6 +48,9 @@ public class Profile extends ProfileTimes {
   /** How many impacts the continuous phase of the last step handled. */
   public int impacts;
 
+  /** Whether somebody has asked for times. */
+  private boolean wanted;
+
   /** Nothing measured yet. */
   public Profile() {}
 
@@ -66,15 +69,43 @@ public class Profile extends ProfileTimes {
     strings.add("  solveTOI: " + solveTOI);
   }
 
+  /** Measures times from the next step on. */
+  void measure() {
+    wanted = true;
+  }
+
+  private ProfileEntry[] all() {
+    return new ProfileEntry[] {
+      step,
+      stepInit,
+      collide,
+      solveParticleSystem,
+      solve,
+      solveInit,
+      solveVelocity,
+      solvePosition,
+      broadphase,
+      solveTOI
+    };
+  }
+
   /** Starts a step: entries that are summed up over it begin at 0. */
   void begin() {
     cappedVelocities = 0;
     impacts = 0;
+    if (wanted && !step.measures) {
+      for (ProfileEntry entry : all()) {
+        entry.measures = true;
+      }
+    }
     step.start();
   }
 
   /** Ends a step, and fills in the plain numbers. */
   void end() {
+    if (!step.measures) {
+      return;
+    }
     step.stop();
     super.step = step.last;
     super.collide = collide.last;
@@ -98,6 +129,9 @@ public class Profile extends ProfileTimes {
     private float sum;
     private long started;
 
+    /** Whether the clock is read; values can be recorded at any time. */
+    private boolean measures;
+
     /** Nothing measured yet. */
     public ProfileEntry() {}
 
@@ -113,7 +147,7 @@ public class Profile extends ProfileTimes {
     /** Begins a sum. */
     public void startAccum() {
       sum = 0f;
-      started = System.nanoTime();
+      start();
     }
 
     /** Adds to the sum, ms. */
@@ -137,16 +171,22 @@ public class Profile extends ProfileTimes {
     }
 
     void start() {
-      started = System.nanoTime();
+      if (measures) {
+        started = System.nanoTime();
+      }
     }
 
     void stop() {
-      record((System.nanoTime() - started) / NANOS_PER_MILLI);
+      if (measures) {
+        record((System.nanoTime() - started) / NANOS_PER_MILLI);
+      }
     }
 
     void accumElapsed() {
-      accum((System.nanoTime() - started) / NANOS_PER_MILLI);
-      endAccum();
+      if (measures) {
+        accum((System.nanoTime() - started) / NANOS_PER_MILLI);
+        endAccum();
+      }
     }
 
     @Override
