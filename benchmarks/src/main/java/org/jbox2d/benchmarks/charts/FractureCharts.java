@@ -33,7 +33,6 @@ public final class FractureCharts {
   /** The scenes are meant for 50 Hz. */
   private static final float HZ = 50f;
 
-  private static final int STEPS = 200;
   private static final int DIAGRAM_SITES = 256;
 
   /** Bodies from which on a step of the glass scene counts as one of its 500 pieces. */
@@ -46,12 +45,13 @@ public final class FractureCharts {
    *
    * @param warm seeds of runs before the first that counts
    * @param measured seeds of runs that count
+   * @param steps steps of a run
    * @param diagrams Voronoi diagrams that count; as many before them do not
    * @param children JVMs started for the first fracture of each kind
    */
-  record Amount(int warm, int measured, int diagrams, int children) {
+  record Amount(int warm, int measured, int steps, int diagrams, int children) {
     static Amount full() {
-      return new Amount(6, 12, 2500, 5);
+      return new Amount(6, 12, 200, 2500, 5);
     }
   }
 
@@ -124,7 +124,7 @@ public final class FractureCharts {
       for (String scene : SCENES) {
         Simulation run = new Simulation(Scenes.named(scene), HZ, seed);
         times.listenTo(run.world());
-        for (int i = 0; i < STEPS; i++) {
+        for (int i = 0; i < amount.steps; i++) {
           run.step();
         }
       }
@@ -163,7 +163,7 @@ public final class FractureCharts {
     int bodies = 0;
     for (int seed = 1; seed <= amount.measured; seed++) {
       Simulation run = new Simulation(Scenes.named("material-glass"), HZ, seed);
-      for (int i = 0; i < STEPS; i++) {
+      for (int i = 0; i < amount.steps; i++) {
         int before = run.world().getBodyCount();
         long start = FractureTimes.now();
         run.step();

@@ -14,7 +14,7 @@ class FractureChartsTest {
   @Test
   void writesHistogramsAndFigures(@TempDir Path directory)
       throws IOException, InterruptedException {
-    new FractureCharts(new FractureCharts.Amount(0, 1, 20, 1), directory).run();
+    new FractureCharts(new FractureCharts.Amount(0, 1, 70, 20, 1), directory).run();
     List<String> rows = Files.readAllLines(directory.resolve("fracture.csv"));
     assertEquals(8, rows.size());
     for (String row : rows.subList(1, rows.size())) {
