@@ -158,7 +158,7 @@ final class Breaking {
       case BREAKS:
         fractures++;
         List<Body> bodies = Assembler.carryOut(world, plan, plan.request.material.m_fragments);
-        debris.add(bodies.subList(bodies.size() - plan.splinterCount(), bodies.size()));
+        debris.add(plan.request.body, bodies);
         return bodies;
       case COMES_LOOSE:
         fractures++;

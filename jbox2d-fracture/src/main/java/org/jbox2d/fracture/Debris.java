@@ -6,12 +6,13 @@ import java.util.List;
 import org.jbox2d.callbacks.StepListener;
 import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.World;
 
 /**
- * The splinters of a world, for as long as one of their two limits is set: how many there may be,
- * and how long they may sleep. What a limit takes goes at the end of the step.
+ * The pieces that have come off bodies of a world, while one of their two limits is set: how many
+ * there may be, and how long they may sleep. What a limit takes goes at the end of the step.
  */
 final class Debris implements StepListener {
   private final FractureSystem system;
@@ -92,10 +93,13 @@ final class Debris implements StepListener {
 
   // --- Births and deaths ---
 
-  /** Takes in the splinters of a fracture. */
-  void add(List<Body> splinters) {
-    if (listening) {
-      for (Body body : splinters) {
+  /** Takes in what has come off a body: all that is loose, but for the body itself. */
+  void add(Body broken, List<Body> pieces) {
+    if (!listening) {
+      return;
+    }
+    for (Body body : pieces) {
+      if (body != broken && body.getType() == BodyType.DYNAMIC) {
         items.add(new Item(body));
       }
     }

@@ -42,7 +42,7 @@ public interface FractureListener {
   default void damaged(Fixture fixture, float intensity, float damage) {}
 
   /**
-   * A splinter is about to be removed because of a limit.
+   * A piece of a broken body is about to be destroyed because of a limit.
    *
    * @return whether it may go; if not, it is no longer counted as debris
    */

@@ -305,10 +305,11 @@ public final class FractureSystem {
   }
 
   /**
-   * Sets how many splinters there may be. Splinters of a cut are not counted, nor those made while
-   * neither this limit nor {@link #setDebrisLifetime} was set. Beyond it splinters are destroyed at
-   * the end of the step: of the older half, the smallest first. {@link FractureListener#discard}
-   * hears of each. No limit by default.
+   * Sets how many pieces there may be that have come off bodies: splinters, and what stayed but no
+   * longer hangs together with the largest part, if it is dynamic. Pieces of a cut are not counted,
+   * nor those made while neither this limit nor {@link #setDebrisLifetime} was set. Beyond it
+   * pieces are destroyed at the end of the step: of the older half, the smallest first. {@link
+   * FractureListener#discard} hears of each. No limit by default.
    *
    * @param pieces {@code Integer.MAX_VALUE} for no limit
    * @throws IllegalArgumentException if it is negative
@@ -320,13 +321,13 @@ public final class FractureSystem {
     debris.setBudget(pieces);
   }
 
-  /** Returns how many splinters there may be. */
+  /** Returns how many pieces there may be that have come off bodies. */
   public int getDebrisBudget() {
     return debris.budget();
   }
 
   /**
-   * Sets how long a splinter may sleep without a break before it is destroyed, s; those that {@link
+   * Sets how long a piece may sleep without a break before it is destroyed, s; those that {@link
    * #setDebrisBudget} counts. {@link FractureListener#discard} hears of each. For ever by default.
    *
    * @param seconds infinite for no limit
@@ -339,12 +340,12 @@ public final class FractureSystem {
     debris.setLifetime(seconds);
   }
 
-  /** Returns how long a splinter may sleep before it is destroyed, s. */
+  /** Returns how long a piece may sleep before it is destroyed, s. */
   public float getDebrisLifetime() {
     return debris.lifetime();
   }
 
-  /** Returns how many splinters were destroyed because of a limit. */
+  /** Returns how many pieces were destroyed because of a limit. */
   public int getDiscardedCount() {
     return debris.removed();
   }
