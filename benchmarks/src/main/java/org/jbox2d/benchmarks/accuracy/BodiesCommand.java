@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.BiFunction;
+import java.util.stream.Stream;
 import org.jbox2d.benchmarks.charts.Drawing;
 import org.jbox2d.benchmarks.engines.Contender;
 import org.jbox2d.benchmarks.engines.Setting;
@@ -69,6 +70,13 @@ final class BodiesCommand implements Callable<Integer> {
       this.builder = builder;
     }
   }
+
+  /** What is drawn. */
+  static final List<String> NAMES =
+      Stream.concat(
+              Arrays.stream(Shape.values()).map(shape -> "bodies-" + shape.label),
+              Stream.of("bodies-each"))
+          .toList();
 
   @Override
   public Integer call() throws IOException {

@@ -50,6 +50,11 @@ final class Tables {
     for (String name : AccuracyCharts.NAMES) {
       out.append("![](").append(name).append(".svg)\n");
     }
+    out.append("\nTime of a step against the number of bodies, by `Accuracy bodies`: ");
+    out.append("[bodies.csv](bodies.csv).\n\n");
+    for (String name : BodiesCommand.NAMES) {
+      out.append("![](").append(name).append(".svg)\n");
+    }
     Files.writeString(file, out.toString());
   }
 
