@@ -55,7 +55,24 @@ public final class Arms {
    */
   private static final float LARGEST_SWING = 0.4f;
 
+  /**
+   * Gap of two points up to which the bend of their path is followed, in linear slops. Followed, it
+   * leaves gaps far below one slop. Where gaps grow all the same, the constraints contradict each
+   * other: planks of a bridge that is pulled straight between its piers cannot go on turning, and
+   * impulses that ask for it would grow from step to step and throw them about. There the points
+   * are led along the tangent and drawn together by position correction, which only takes energy.
+   */
+  private static final float BENT_SLOPS = 3f;
+
   private Arms() {}
+
+  /** 1 where the bend of a path is to be followed, 0 where not; arms must be turned. */
+  static float bends(float[] f, int o, float[] x, int a, int b, StepConfig step) {
+    float gx = gapX(f, o, x, a, b);
+    float gy = gapY(f, o, x, a, b);
+    float most = BENT_SLOPS * step.linearSlop;
+    return gx * gx + gy * gy <= most * most ? 1f : 0f;
+  }
 
   /** Fills in the block: points relative to the centres of mass, in the bodies' frames, m. */
   public static void write(float[] f, int o, float ax, float ay, float bx, float by) {

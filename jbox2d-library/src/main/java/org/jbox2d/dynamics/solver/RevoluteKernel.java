@@ -30,7 +30,7 @@ package org.jbox2d.dynamics.solver;
  */
 public final class RevoluteKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 20;
+  public static final int FLOATS = Arms.SIZE + 21;
 
   private static final int REFERENCE = 8;
   private static final int LIMITED = 9;
@@ -54,6 +54,7 @@ public final class RevoluteKernel extends JointKernel {
   private static final int UPPER_ROOM = 25;
   private static final int EX = 26;
   private static final int EY = 27;
+  private static final int BENDS = 28;
 
   /**
    * Share of {@code Ktt} below which S is rounding of the difference that it is: the pin does not
@@ -131,6 +132,7 @@ public final class RevoluteKernel extends JointKernel {
       Arms.turn(f, o, bodies.pos, a, b);
       Arms.invert(f, o, o + M11, m, a, b);
       eliminatePoint(f, o, m[a + 1], m[b + 1]);
+      f[o + BENDS] = Arms.bends(f, o, bodies.pos, a, b, step);
 
       float keepLimit = f[o + LIMITED] * keep;
       float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
@@ -176,8 +178,12 @@ public final class RevoluteKernel extends JointKernel {
         f[o + IMPULSE_Y] += alongY;
         Arms.push(f, o, v, m, a, b, alongX, alongY, turn);
       }
-      float cx = Arms.speedX(f, o, v, a, b) + Arms.bendX(f, o, v, a, b, h, step.invDt);
-      float cy = Arms.speedY(f, o, v, a, b) + Arms.bendY(f, o, v, a, b, h, step.invDt);
+      float cx = Arms.speedX(f, o, v, a, b);
+      float cy = Arms.speedY(f, o, v, a, b);
+      if (f[o + BENDS] > 0f) {
+        cx += Arms.bendX(f, o, v, a, b, h, step.invDt);
+        cy += Arms.bendY(f, o, v, a, b, h, step.invDt);
+      }
       float px = -(f[o + M11] * cx + f[o + M12] * cy);
       float py = -(f[o + M12] * cx + f[o + M22] * cy);
       f[o + IMPULSE_X] += px;

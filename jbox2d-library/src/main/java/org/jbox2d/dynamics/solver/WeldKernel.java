@@ -23,7 +23,7 @@ package org.jbox2d.dynamics.solver;
  */
 public final class WeldKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 16;
+  public static final int FLOATS = Arms.SIZE + 17;
 
   private static final int REFERENCE = 8;
   private static final int FREQUENCY = 9;
@@ -42,6 +42,7 @@ public final class WeldKernel extends JointKernel {
   private static final int ANGLE_MASS = 20;
   private static final int GAMMA = 21;
   private static final int BIAS = 22;
+  private static final int BENDS = 23;
 
   WeldKernel(int order) {
     super(order, IMPULSE_X, 3);
@@ -104,6 +105,7 @@ public final class WeldKernel extends JointKernel {
       int a = SolverBodies.STRIDE * slotA;
       int b = SolverBodies.STRIDE * slotB;
       Arms.turn(f, o, bodies.pos, a, b);
+      f[o + BENDS] = Arms.bends(f, o, bodies.pos, a, b, step);
       float k = m[a + 1] + m[b + 1];
       f[o + GAMMA] = 0f;
       f[o + BIAS] = 0f;
@@ -168,8 +170,12 @@ public final class WeldKernel extends JointKernel {
       int o = rows.floatAt[r];
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
-      float cx = Arms.speedX(f, o, v, a, b) + Arms.bendX(f, o, v, a, b, h, step.invDt);
-      float cy = Arms.speedY(f, o, v, a, b) + Arms.bendY(f, o, v, a, b, h, step.invDt);
+      float cx = Arms.speedX(f, o, v, a, b);
+      float cy = Arms.speedY(f, o, v, a, b);
+      if (f[o + BENDS] > 0f) {
+        cx += Arms.bendX(f, o, v, a, b, h, step.invDt);
+        cy += Arms.bendY(f, o, v, a, b, h, step.invDt);
+      }
       float cw = v[b + 2] - v[a + 2] + f[o + BIAS] + f[o + GAMMA] * f[o + TURN_IMPULSE];
       float angle = f[o + ANGLE_MASS];
       float sx = cx - f[o + KX] * angle * cw;
