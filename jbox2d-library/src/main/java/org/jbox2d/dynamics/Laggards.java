@@ -74,6 +74,9 @@ final class Laggards {
 
   /** Moves the bodies on; velocities have been solved, and positions too. */
   void catchUp() {
+    if (lags.isEmpty() && waiting.isEmpty()) {
+      return;
+    }
     begin();
     if (lags.isEmpty()) {
       return;
