@@ -43,6 +43,9 @@ public final class SoftStep {
   /** Way by which a point may close in a substep before there is another pass, in slops. */
   private static final float HARMLESS_SLOPS = 0.5f;
 
+  /** The same where there are contacts alone: a blow that would press bodies through others. */
+  private static final float VIOLENT_SLOPS = 10f;
+
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
   private final JointRows joints;
@@ -165,8 +168,9 @@ public final class SoftStep {
   private void push(int c0, int c1, int j0, int j1) {
     solveJoints(j0, j1);
     contactKernel.push(contacts, bodies, c0, c1);
-    float harmless = HARMLESS_SLOPS * sub.linearSlop * sub.invDt;
-    for (int n = 1; j0 < j1 && n < MOST_PUSHES && contactKernel.closing > harmless; n++) {
+    float slops = j0 < j1 ? HARMLESS_SLOPS : VIOLENT_SLOPS;
+    float harmless = slops * sub.linearSlop * sub.invDt;
+    for (int n = 1; n < MOST_PUSHES && contactKernel.closing > harmless; n++) {
       solveJoints(j0, j1);
       contactKernel.push(contacts, bodies, c0, c1);
     }
