@@ -298,8 +298,10 @@ final class ContinuousCollision implements TreeCallback {
           && !c.m_fixtureA.m_isSensor
           && !c.m_fixtureB.m_isSensor) {
         boolean isA = c.m_fixtureA.m_body == b;
+        Fixture mine = isA ? c.m_fixtureA : c.m_fixtureB;
         Fixture still = isA ? c.m_fixtureB : c.m_fixtureA;
-        if (still.raycast(rayHit, ray, isA ? c.m_indexB : c.m_indexA)) {
+        // The centre of a ring or a hook lies outside it, and may pass through anything.
+        if (mine.testPoint(s.c) && still.raycast(rayHit, ray, isA ? c.m_indexB : c.m_indexA)) {
           ray.maxFraction = rayHit.fraction;
           surface.set(rayHit.normal);
         }
