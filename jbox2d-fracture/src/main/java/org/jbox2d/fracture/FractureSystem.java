@@ -59,10 +59,14 @@ public final class FractureSystem {
   }
 
   /**
-   * Breaks some small bodies in a world of its own, so that all that a fracture needs is loaded and
-   * has run before a game needs it: the first fracture of a program takes several times as long as
-   * the second, and that some tens of times as long as one when all is compiled. Call it while a
-   * game is loading, once; it takes some tenths of a second.
+   * Breaks many small bodies in worlds of its own, so that what a fracture needs is compiled before
+   * a game needs it. Call it while a game is loading, once; it takes some tenths of a second.
+   *
+   * <p>Without it one body is broken so when the first {@link Material} of the program is made,
+   * which takes some hundredths of a second: all classes are loaded then, and the first fracture of
+   * the game takes some tens of times as long as one when all is compiled, but no longer. The
+   * system property {@code org.jbox2d.fracture.rehearsal}, set to {@code false} before, forbids
+   * that. No world ever notices either.
    */
   public static void warmUp() {
     new Rehearsal().run();

@@ -53,8 +53,14 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
   /** The values a constant must keep; {@code null} for any other material. */
   private Constant constant;
 
-  /** A material with the default values. */
-  protected Material() {}
+  /**
+   * A material with the default values. The first material of a program breaks a small box in a
+   * world of its own, so that the first fracture of a game does not have to load what fractures
+   * need; see {@link FractureSystem#warmUp()}.
+   */
+  protected Material() {
+    Rehearsal.first();
+  }
 
   /**
    * Returns the sites of a fracture. The same arguments must always give the same sites.

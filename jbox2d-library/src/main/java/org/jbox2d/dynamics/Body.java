@@ -204,12 +204,44 @@ public class Body {
    * @throws IllegalArgumentException if the fixture is not of this body
    */
   public final void destroyFixture(Fixture fixture) {
+    checkOwn(fixture);
+    checkChangeable("destroyFixture");
+    BodyFixtures.destroy(this, fixture);
+    resetMassUnlessDestroyed();
+  }
+
+  /**
+   * Removes fixtures with their contacts, one after the other, and then computes the mass anew,
+   * once. A fixture that a listener has destroyed meanwhile is passed over.
+   *
+   * @throws IllegalStateException if the world is locked
+   * @throws IllegalArgumentException if a fixture is not of this body; nothing has changed then
+   */
+  public final void destroyFixtures(List<Fixture> fixtures) {
+    Checks.notNull(fixtures, "fixtures");
+    for (Fixture fixture : fixtures) {
+      checkOwn(fixture);
+    }
+    checkChangeable("destroyFixtures");
+    try {
+      BodyFixtures.destroyAll(this, fixtures);
+    } finally {
+      resetMassUnlessDestroyed();
+    }
+  }
+
+  /** A listener may have destroyed the body. */
+  private void resetMassUnlessDestroyed() {
+    if (m_world != null) {
+      resetMassData();
+    }
+  }
+
+  private void checkOwn(Fixture fixture) {
     Checks.notNull(fixture, "fixture");
     if (fixture.m_body != this) {
       throw new IllegalArgumentException("fixture is not of this body, or was destroyed before");
     }
-    checkChangeable("destroyFixture");
-    BodyFixtures.destroy(this, fixture);
   }
 
   /** Throws if the body is of no world any more, or the world is locked. */

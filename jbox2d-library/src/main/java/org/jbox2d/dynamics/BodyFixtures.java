@@ -3,6 +3,8 @@ package org.jbox2d.dynamics;
 import java.util.ArrayList;
 import java.util.List;
 import org.jbox2d.collision.shapes.Shape;
+import org.jbox2d.dynamics.contacts.Contact;
+import org.jbox2d.dynamics.contacts.ContactEdge;
 
 /** Adds fixtures to a body and removes them. The body has checked that it may change. */
 final class BodyFixtures {
@@ -29,7 +31,7 @@ final class BodyFixtures {
       throw new IllegalArgumentException("CompoundShape.getParts() is empty");
     }
     for (int i = 0; i < parts.length; i++) {
-      Checks.shape(parts[i], "CompoundShape.getParts()[" + i + "]");
+      Checks.part(parts, i);
     }
     List<Fixture> fixtures = new ArrayList<>(parts.length);
     Shape given = def.shape;
@@ -60,10 +62,11 @@ final class BodyFixtures {
     return fixture;
   }
 
+  /** Removes a fixture, unless a listener has done so meanwhile; does not compute the mass anew. */
   static void destroy(Body body, Fixture fixture) {
-    // Contacts first: they call the listener, which may throw, or destroy the fixture itself.
+    // Contacts first: they call the listener, which may throw, or destroy fixture or body itself.
     body.destroyContactsOf(fixture);
-    if (fixture.m_body != body) {
+    if (fixture.m_body != body || body.m_world == null) {
       return;
     }
     unlink(body, fixture);
@@ -73,7 +76,55 @@ final class BodyFixtures {
     fixture.destroy();
     fixture.m_body = null;
     body.m_fixtureCount--;
-    body.resetMassData();
+  }
+
+  /** As {@link #destroy} of each. */
+  static void destroyAll(Body body, List<Fixture> fixtures) {
+    if (body.m_world.m_contactManager.m_contactListener == null) {
+      destroyContacts(body, fixtures);
+    }
+    for (Fixture fixture : fixtures) {
+      if (fixture.m_body == body && body.m_world != null) {
+        destroy(body, fixture);
+      }
+    }
+  }
+
+  /**
+   * Destroys the contacts of fixtures in the order in which they would go with one fixture after
+   * the other, on which the order of the other contacts depends; but looks at each contact of the
+   * body twice rather than once for each fixture. Nobody must hear of it, for who did could change
+   * more.
+   */
+  private static void destroyContacts(Body body, List<Fixture> fixtures) {
+    int n = fixtures.size();
+    for (int i = 0; i < n; i++) {
+      fixtures.get(i).leavingIndex = i;
+    }
+    int[] end = new int[n + 1];
+    for (ContactEdge edge = body.m_contactList; edge != null; edge = edge.next) {
+      end[leavingIndex(body, edge) + 1]++;
+    }
+    // Contacts of fixtures that stay are counted first, and not taken.
+    end[0] = 0;
+    for (int i = 1; i <= n; i++) {
+      end[i] += end[i - 1];
+    }
+    Contact[] leaving = new Contact[end[n]];
+    for (ContactEdge edge = body.m_contactList; edge != null; edge = edge.next) {
+      int index = leavingIndex(body, edge);
+      if (index >= 0) {
+        leaving[end[index]++] = edge.contact;
+      }
+    }
+    for (Contact contact : leaving) {
+      body.m_world.m_contactManager.destroy(contact);
+    }
+  }
+
+  private static int leavingIndex(Body body, ContactEdge edge) {
+    Contact c = edge.contact;
+    return (c.m_fixtureA.m_body == body ? c.m_fixtureA : c.m_fixtureB).leavingIndex;
   }
 
   private static void unlink(Body body, Fixture fixture) {

@@ -53,6 +53,30 @@ final class Checks {
     }
   }
 
+  /**
+   * As {@link #shape}, of a part of a compound. Puts names together only when something is wrong: a
+   * fracture makes dozens of parts, and to name their vertices would take longer than to make them.
+   */
+  static void part(Shape[] parts, int i) {
+    if (!(parts[i] instanceof PolygonShape) || !isSound((PolygonShape) parts[i])) {
+      shape(parts[i], "CompoundShape.getParts()[" + i + "]");
+    }
+  }
+
+  private static boolean isSound(PolygonShape polygon) {
+    Vec2[] vertices = polygon.m_vertices;
+    int count = polygon.m_count;
+    if (vertices == null || count < 3 || count > vertices.length) {
+      return false;
+    }
+    boolean sound = polygon.m_radius >= 0f && polygon.m_radius <= Float.MAX_VALUE;
+    for (int i = 0; i < count && sound; i++) {
+      Vec2 v = vertices[i];
+      sound = v != null && Float.isFinite(v.x) && Float.isFinite(v.y);
+    }
+    return sound;
+  }
+
   static void shape(Shape shape, String name) {
     notNull(shape, name);
     notNegative(shape.m_radius, name + ".m_radius");

@@ -61,6 +61,9 @@ public class Fixture {
   /** What the material remembers of this fixture; {@code null} for nothing. */
   public Object m_materialState;
 
+  /** Place among the fixtures that leave a body together, or -1. */
+  int leavingIndex = -1;
+
   private final Vec2 displacement = new Vec2();
   private CompoundShape compound;
 

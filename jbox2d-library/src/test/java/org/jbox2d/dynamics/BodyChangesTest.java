@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.joints.MouseJointDef;
 import org.junit.jupiter.api.AfterEach;
@@ -125,6 +127,84 @@ class BodyChangesTest {
     body.destroyFixture(body.getFixtureList());
     assertEquals(1f, body.getMass(), 1e-5f);
     assertEquals(-1f, body.getWorldCenter().x, 1e-5f);
+  }
+
+  /** Two like worlds, a comb on a row of discs: what is left goes on the same to the last bit. */
+  @Test
+  void fixturesDestroyedTogetherGoAsOneByOne() {
+    for (boolean heard : new boolean[] {false, true}) {
+      World[] worlds = {Make.world(), Make.world()};
+      for (int k = 0; k < 2; k++) {
+        Body comb = combOnDiscs(worlds[k]);
+        if (heard) {
+          worlds[k].setContactListener(new CollisionResponseTest.QuietListener());
+        }
+        Make.steps(worlds[k], 30);
+        assertTrue(worlds[k].getContactCount() > 8);
+        List<Fixture> leaving = new ArrayList<>();
+        int i = 0;
+        for (Fixture f = comb.getFixtureList(); f != null; f = f.getNext()) {
+          if (i++ % 3 > 0) {
+            leaving.add(f);
+          }
+        }
+        if (k == 0) {
+          comb.destroyFixtures(leaving);
+        } else {
+          leaving.forEach(comb::destroyFixture);
+        }
+        assertEquals(4, comb.m_fixtureCount);
+        WorldInvariants.check(worlds[k]);
+        Make.steps(worlds[k], 60);
+      }
+      assertEquals(StateHash.of(worlds[1]), StateHash.of(worlds[0]));
+    }
+  }
+
+  private static Body combOnDiscs(World world) {
+    Make.ground(world);
+    Body comb = Make.body(world, BodyType.DYNAMIC, 0f, 1.6f);
+    for (int i = 0; i < 12; i++) {
+      PolygonShape tooth = new PolygonShape();
+      tooth.setAsBox(0.3f, 0.3f, new Vec2(0.5f * (i * 5 % 12), 0f), 0f);
+      comb.createFixture(tooth, 1f);
+      Make.disc(world, 0.7f * i - 1f, 0.5f, 0.3f);
+    }
+    return comb;
+  }
+
+  @Test
+  void noFixtureGoesIfOneIsNotOfTheBody() {
+    Body a = Make.disc(world, 0f, 0f, 1f);
+    Body b = Make.disc(world, 5f, 0f, 1f);
+    List<Fixture> both = List.of(a.getFixtureList(), b.getFixtureList());
+    assertThrows(IllegalArgumentException.class, () -> a.destroyFixtures(both));
+    assertEquals(1, a.m_fixtureCount);
+    a.destroyFixtures(List.of());
+    assertEquals(1, a.m_fixtureCount);
+  }
+
+  @Test
+  void aListenerMayDestroyTheBodyWhoseFixturesGo() {
+    Body floor = Make.box(world, BodyType.STATIC, 0f, -1f, 5f, 1f);
+    Body body = Make.box(world, BodyType.DYNAMIC, 0f, 0.5f, 0.5f, 0.5f);
+    body.createFixture(Make.circle(0.2f), 1f);
+    Make.steps(world, 5);
+    world.setContactListener(
+        new CollisionResponseTest.QuietListener() {
+          @Override
+          public void endContact(Contact contact) {
+            if (body.getWorld() != null) {
+              world.destroyBody(body);
+            }
+          }
+        });
+    List<Fixture> all = List.of(body.getFixtureList(), body.getFixtureList().getNext());
+    body.destroyFixtures(all);
+    assertNull(body.getWorld());
+    assertEquals(1, world.getBodyCount());
+    assertSame(floor, world.getBodyList());
+    world.setContactListener(null);
   }
 
   @Test

@@ -47,14 +47,7 @@ public final class Assembler {
         made.add(body);
       }
     }
-    for (Piece splinter : plan.splinters) {
-      Body body = world.createBody(definition(old, BodyType.DYNAMIC));
-      FixtureDef def = brokenTemplate(plan);
-      def.density *= splinter.densityFactor;
-      def.material = splinterMaterial;
-      body.createFixture(def, splinter);
-      made.add(body);
-    }
+    makeSplinters(world, old, plan, splinterMaterial, made);
     moveJoints(world, old, kept, plan, clusters, made);
     if (kept != null) {
       keep(world, old, plan, kept);
@@ -65,6 +58,20 @@ public final class Assembler {
     bodies.addAll(made);
     motion.giveTo(bodies);
     return bodies;
+  }
+
+  private static void makeSplinters(
+      World world, Body old, Plan plan, Material material, List<Body> made) {
+    BodyDef bodyDef = definition(old, BodyType.DYNAMIC);
+    FixtureDef def = brokenTemplate(plan);
+    def.material = material;
+    float density = def.density;
+    for (Piece splinter : plan.splinters) {
+      Body body = world.createBody(bodyDef);
+      def.density = density * splinter.densityFactor;
+      body.createFixture(def, splinter);
+      made.add(body);
+    }
   }
 
   private static Body makeCluster(World world, Body old, Plan plan, Cluster cluster) {
@@ -104,17 +111,19 @@ public final class Assembler {
    */
   private static void keep(World world, Body old, Plan plan, Cluster kept) {
     FixtureDef def = brokenTemplate(plan);
-    DestructionListener listener = world.getDestructionListener();
-    for (Fixture f = old.getFixtureList(); f != null; ) {
-      Fixture next = f.getNext();
+    List<Fixture> leaving = new ArrayList<>();
+    for (Fixture f = old.getFixtureList(); f != null; f = f.getNext()) {
       if (!kept.holds(f)) {
-        if (listener != null) {
-          listener.sayGoodbye(f);
-        }
-        old.destroyFixture(f);
+        leaving.add(f);
       }
-      f = next;
     }
+    DestructionListener listener = world.getDestructionListener();
+    if (listener != null) {
+      for (Fixture f : leaving) {
+        listener.sayGoodbye(f);
+      }
+    }
+    old.destroyFixtures(leaving);
     for (Piece remainder : kept.remainders) {
       addRemainder(old, def, plan, remainder);
     }

@@ -22,13 +22,17 @@ public final class Piece implements CompoundShape {
    */
   final float densityFactor;
 
+  /** Area of the parts, m^2; the outline's but for that rounding. */
+  final double areaOfParts;
+
   private final Shape[] parts;
 
   Piece(Outline outline, double originalArea, Shape[] parts) {
     this.outline = outline;
     this.originalArea = originalArea;
     this.parts = parts;
-    densityFactor = (float) (outline.area() / PartShapes.area(parts));
+    areaOfParts = PartShapes.area(parts);
+    densityFactor = (float) (outline.area() / areaOfParts);
   }
 
   @Override

@@ -262,7 +262,7 @@ public final class Planner {
     all.addAll(splinters);
     double area = 0;
     for (Piece piece : all) {
-      area += PartShapes.area(piece.getParts());
+      area += piece.areaOfParts;
     }
     double expected = breakable.outline.area();
     if (!(Math.abs(area - expected) <= areaTolerance(all))) {
