@@ -5,6 +5,7 @@ import org.jbox2d.collision.narrowphase.CircleCircle;
 import org.jbox2d.collision.narrowphase.EdgeCircle;
 import org.jbox2d.collision.narrowphase.EdgePolygon;
 import org.jbox2d.collision.narrowphase.FaceQuery;
+import org.jbox2d.collision.narrowphase.PartPolygons;
 import org.jbox2d.collision.narrowphase.PolygonCircle;
 import org.jbox2d.collision.narrowphase.PolygonPolygon;
 import org.jbox2d.collision.shapes.CircleShape;
@@ -42,6 +43,7 @@ public class Collision {
   private static final byte FACE = (byte) ContactID.Type.FACE.ordinal();
 
   private final PolygonPolygon polygons = new PolygonPolygon();
+  private final PartPolygons parts = new PartPolygons(polygons);
   private final EdgePolygon edgePolygon = new EdgePolygon();
   private final FaceQuery query = new FaceQuery();
   private final Distance distance = new Distance();
@@ -84,10 +86,44 @@ public class Collision {
     PolygonCircle.collide(manifold, polygon, xfA, circle, xfB);
   }
 
+  /**
+   * Engine-internal: writes the manifold of a polygon that is a part of a compound, and a circle.
+   *
+   * @param wayX how the circle has moved against the polygon in the last step, in the world, m
+   * @param wayY see {@code wayX}
+   */
+  public final void collidePartAndCircle(
+      Manifold manifold,
+      PolygonShape polygon,
+      Transform xfA,
+      CircleShape circle,
+      Transform xfB,
+      float wayX,
+      float wayY) {
+    PolygonCircle.collide(manifold, polygon, xfA, circle, xfB, wayX, wayY);
+  }
+
   /** Writes the manifold of two polygons. */
   public final void collidePolygons(
       Manifold manifold, PolygonShape polyA, Transform xfA, PolygonShape polyB, Transform xfB) {
     polygons.collide(manifold, polyA, xfA, polyB, xfB);
+  }
+
+  /**
+   * Engine-internal: writes the manifold of two polygons that may be parts of compounds.
+   *
+   * @param wayX how B has moved against A in the last step, in the world, m
+   * @param wayY see {@code wayX}
+   */
+  public final void collideParts(
+      Manifold manifold,
+      PolygonShape polyA,
+      Transform xfA,
+      PolygonShape polyB,
+      Transform xfB,
+      float wayX,
+      float wayY) {
+    parts.collide(manifold, polyA, xfA, polyB, xfB, wayX, wayY);
   }
 
   /** Writes the manifold of an edge (A) and a circle (B). */

@@ -2,6 +2,7 @@ package org.jbox2d.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jbox2d.collision.narrowphase.PartShape;
 import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.contacts.ContactEdge;
@@ -34,11 +35,15 @@ final class BodyFixtures {
       Checks.part(parts, i);
     }
     List<Fixture> fixtures = new ArrayList<>(parts.length);
+    PartShape[] linked = PartShape.link(parts);
     Shape given = def.shape;
-    for (Shape part : parts) {
-      def.shape = part;
+    for (int i = 0; i < parts.length; i++) {
+      def.shape = parts[i];
       Fixture fixture = add(body, def);
       fixture.setCompound(compound);
+      if (linked != null && linked[i] != null) {
+        fixture.m_shape = linked[i];
+      }
       fixtures.add(fixture);
     }
     def.shape = given;
@@ -70,6 +75,9 @@ final class BodyFixtures {
       return;
     }
     unlink(body, fixture);
+    if (fixture.m_shape instanceof PartShape) {
+      ((PartShape) fixture.m_shape).leave();
+    }
     if (body.isActive()) {
       fixture.destroyProxies(body.m_world.m_contactManager.m_broadPhase);
     }

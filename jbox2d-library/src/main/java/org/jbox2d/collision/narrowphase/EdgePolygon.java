@@ -111,6 +111,9 @@ public final class EdgePolygon {
     Verdict verdict = Verdict.SNAP;
     if (length == 0f) {
       verdict = Verdict.ADMIT;
+    } else if (best > edgeSeparation + margin && PartShape.isInner(polygon, bestFace)) {
+      // Out of the part through an inner edge is into the part across; beyond it, that has it.
+      verdict = best > 0f ? Verdict.SKIP : Verdict.SNAP;
     } else if (best > edgeSeparation + margin) {
       verdict = judge(edge, -n[bestFace].x, -n[bestFace].y);
     }

@@ -29,6 +29,23 @@ public final class PolygonCircle {
   /** Writes the manifold of polygon A and circle B; no point if they are further than the skins. */
   public static void collide(
       Manifold manifold, PolygonShape polygon, Transform xfA, CircleShape circle, Transform xfB) {
+    collide(manifold, polygon, xfA, circle, xfB, 0f, 0f);
+  }
+
+  /**
+   * As above, for a polygon that may be a part of a compound.
+   *
+   * @param wayX how the circle has moved against the polygon in the last step, in the world, m
+   * @param wayY see {@code wayX}
+   */
+  public static void collide(
+      Manifold manifold,
+      PolygonShape polygon,
+      Transform xfA,
+      CircleShape circle,
+      Transform xfB,
+      float wayX,
+      float wayY) {
     manifold.pointCount = 0;
     manifold.corner = false;
     Vec2 p = circle.m_p;
@@ -56,6 +73,14 @@ public final class PolygonCircle {
       return;
     }
 
+    if (PartShape.isInner(polygon, face)) {
+      float inX = xfA.q.c * wayX + xfA.q.s * wayY;
+      float inY = xfA.q.c * wayY - xfA.q.s * wayX;
+      PartShape part = (PartShape) polygon;
+      if (PartCircle.collide(manifold, part, face, separation, cx, cy, p, inX, inY)) {
+        return;
+      }
+    }
     Vec2 v1 = vertices[face];
     Vec2 v2 = vertices[face + 1 < count ? face + 1 : 0];
     if (separation > 0f) {

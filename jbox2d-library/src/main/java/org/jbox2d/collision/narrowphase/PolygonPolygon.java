@@ -33,7 +33,10 @@ public final class PolygonPolygon {
   private final FaceQuery queryA = new FaceQuery();
   private final FaceQuery queryB = new FaceQuery();
 
-  /** Writes the manifold of two polygons; no point if they are further than their skins. */
+  /**
+   * Writes the manifold of two polygons; no point if they are further than their skins. All edges
+   * are surfaces; for parts of compounds see {@link PartPolygons}.
+   */
   public void collide(
       Manifold manifold, PolygonShape a, Transform xfA, PolygonShape b, Transform xfB) {
     manifold.pointCount = 0;
@@ -64,7 +67,7 @@ public final class PolygonPolygon {
     }
 
     // Stage 3: reference face and incident face.
-    float margin = FACE_MARGIN * Settings.linearSlop + RELATIVE_MARGIN * Math.abs(faceA.separation);
+    float margin = margin(faceA.separation);
     boolean referenceIsB = faceB.separation > faceA.separation + margin;
     float lowest = buildOn(manifold, referenceIsB, a, b, c, s, tx, ty, radius);
     // The reference face may end before the other's nearest vertex: beside a corner, or where A is
@@ -78,6 +81,11 @@ public final class PolygonPolygon {
     if (lost) {
       buildOn(manifold, !referenceIsB, a, b, c, s, tx, ty, radius);
     }
+  }
+
+  /** By how much B's face must separate better than A's of the given separation, m. */
+  static float margin(float separationA) {
+    return FACE_MARGIN * Settings.linearSlop + RELATIVE_MARGIN * Math.abs(separationA);
   }
 
   /** Builds on the face found for A or for B; a point w of B is at R w + t in A's frame. */
@@ -103,8 +111,10 @@ public final class PolygonPolygon {
 
   /**
    * Writes plane and points for a face of {@code ref}; (c, s, t) moves {@code inc} into its frame.
+   *
+   * @return height of the lowest point written, positive infinity if there is none
    */
-  private static float build(
+  static float build(
       Manifold manifold,
       boolean referenceIsB,
       PolygonShape ref,

@@ -2,12 +2,14 @@ package org.jbox2d.dynamics.contacts;
 
 import org.jbox2d.collision.Collision;
 import org.jbox2d.collision.Manifold;
+import org.jbox2d.collision.narrowphase.PartShape;
 import org.jbox2d.collision.shapes.ChainShape;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.collision.shapes.EdgeShape;
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.collision.shapes.ShapeType;
+import org.jbox2d.common.Sweep;
 import org.jbox2d.common.Transform;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.pooling.IWorldPool;
@@ -24,6 +26,8 @@ public final class ShapeContact extends Contact {
   private static final int EDGE_POLYGON = 4;
   private static final int CHAIN_CIRCLE = 5;
   private static final int CHAIN_POLYGON = 6;
+  private static final int PART_CIRCLE = 7;
+  private static final int PARTS = 8;
 
   private int pair;
   private EdgeShape chainEdge;
@@ -75,7 +79,11 @@ public final class ShapeContact extends Contact {
         pair = CIRCLES;
         break;
       case POLYGON:
-        pair = circle ? POLYGON_CIRCLE : POLYGONS;
+        if (fA.m_shape instanceof PartShape || fB.m_shape instanceof PartShape) {
+          pair = circle ? PART_CIRCLE : PARTS;
+        } else {
+          pair = circle ? POLYGON_CIRCLE : POLYGONS;
+        }
         break;
       case EDGE:
         pair = circle ? EDGE_CIRCLE : EDGE_POLYGON;
@@ -98,8 +106,16 @@ public final class ShapeContact extends Contact {
       case POLYGON_CIRCLE:
         collision.collidePolygonAndCircle(manifold, (PolygonShape) a, xfA, (CircleShape) b, xfB);
         break;
+      case PART_CIRCLE:
+        collision.collidePartAndCircle(
+            manifold, (PolygonShape) a, xfA, (CircleShape) b, xfB, wayX(), wayY());
+        break;
       case POLYGONS:
         collision.collidePolygons(manifold, (PolygonShape) a, xfA, (PolygonShape) b, xfB);
+        break;
+      case PARTS:
+        collision.collideParts(
+            manifold, (PolygonShape) a, xfA, (PolygonShape) b, xfB, wayX(), wayY());
         break;
       case EDGE_CIRCLE:
         collision.collideEdgeAndCircle(manifold, (EdgeShape) a, xfA, (CircleShape) b, xfB);
@@ -114,6 +130,19 @@ public final class ShapeContact extends Contact {
         collision.collideEdgeAndPolygon(manifold, edgeOf(a), xfA, (PolygonShape) b, xfB);
         break;
     }
+  }
+
+  /** How B's centre of mass has moved against A's in the last step, m. */
+  private float wayX() {
+    Sweep a = m_fixtureA.m_body.m_sweep;
+    Sweep b = m_fixtureB.m_body.m_sweep;
+    return (b.c.x - b.c0.x) - (a.c.x - a.c0.x);
+  }
+
+  private float wayY() {
+    Sweep a = m_fixtureA.m_body.m_sweep;
+    Sweep b = m_fixtureB.m_body.m_sweep;
+    return (b.c.y - b.c0.y) - (a.c.y - a.c0.y);
   }
 
   private EdgeShape edgeOf(Shape chain) {
