@@ -76,12 +76,8 @@ public final class FractureSystem {
 
   /** Records a blow if it is hard enough to matter. */
   void record(Fixture fixture, Material material, SolvedContact solved) {
-    boolean part = fixture.getCompound() != null;
-    if (fixture.isSensor() || !RequestBook.matters(solved.normalImpulse(), material, part)) {
-      return;
-    }
     Blow blow = new Blow(solved);
-    if (!RequestBook.matters(blow.intensity, material, part)) {
+    if (!RequestBook.matters(blow.intensity, material, fixture.getCompound() != null)) {
       return;
     }
     if (book.isEmpty()) {

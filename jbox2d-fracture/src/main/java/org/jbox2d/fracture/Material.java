@@ -4,6 +4,7 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.FixtureMaterial;
 import org.jbox2d.dynamics.SolvedContact;
+import org.jbox2d.fracture.impact.RequestBook;
 
 /**
  * What a breakable fixture is made of: how hard a blow it takes, and how it breaks. A fixture whose
@@ -114,10 +115,17 @@ public abstract class Material implements FixtureMaterial, MaterialConstants, Cl
     return copy;
   }
 
+  /** Returns whether a blow may be hard enough. Called by the engine. */
+  @Override
+  public final boolean hears(Fixture fixture, float normalImpulse) {
+    check();
+    return !fixture.isSensor()
+        && RequestBook.matters(normalImpulse, this, fixture.getCompound() != null);
+  }
+
   /** Records the blow if it is hard enough. Called by the engine. */
   @Override
   public final void contactSolved(Fixture fixture, SolvedContact solved) {
-    check();
     FractureSystem.of(fixture.getBody().getWorld()).record(fixture, this, solved);
   }
 

@@ -15,4 +15,16 @@ public interface FixtureMaterial {
    * @param solved impulses and velocities; valid only during the call
    */
   void contactSolved(Fixture fixture, SolvedContact solved);
+
+  /**
+   * Returns whether {@link #contactSolved} is to be called for a contact. In a heap nearly all
+   * contacts carry what rests on them and no more; to say so here saves putting together what
+   * became of them.
+   *
+   * @param fixture the fixture that has this material
+   * @param normalImpulse sum of the normal impulses of the contact's points, N s
+   */
+  default boolean hears(Fixture fixture, float normalImpulse) {
+    return true;
+  }
 }

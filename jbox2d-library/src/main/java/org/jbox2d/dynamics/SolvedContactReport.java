@@ -88,22 +88,39 @@ final class SolvedContactReport {
       if (listener != null) {
         tell(listener, i, c);
       }
-      FixtureMaterial materialA = a.m_material;
-      FixtureMaterial materialB = b.m_material;
-      if (materialA != null || materialB != null) {
-        fill(i, c, step);
-        if (materialA != null) {
-          materialA.contactSolved(a, solved);
-        }
-        if (materialB != null) {
-          materialB.contactSolved(b, solved);
-        }
+      if (a.m_material != null || b.m_material != null) {
+        float normalImpulse = normalImpulse(i);
+        tell(a, b, i, c, step, normalImpulse);
         if (!impacts) {
-          c.m_lastImpulse = solved.normalImpulse();
+          c.m_lastImpulse = normalImpulse;
         }
       }
     }
     solved.contact = null;
+  }
+
+  private float normalImpulse(int i) {
+    float sum = 0f;
+    for (int j = 0; j < constraints.pointCount[i]; j++) {
+      sum += constraints.vel[V_STRIDE * i + POINT + POINT_STRIDE * j + NORMAL_IMPULSE];
+    }
+    return sum;
+  }
+
+  private void tell(Fixture a, Fixture b, int i, Contact c, StepConfig step, float normalImpulse) {
+    FixtureMaterial materialA = a.m_material;
+    FixtureMaterial materialB = b.m_material;
+    boolean hearsA = materialA != null && materialA.hears(a, normalImpulse);
+    boolean hearsB = materialB != null && materialB.hears(b, normalImpulse);
+    if (hearsA || hearsB) {
+      fill(i, c, step);
+    }
+    if (hearsA) {
+      materialA.contactSolved(a, solved);
+    }
+    if (hearsB) {
+      materialB.contactSolved(b, solved);
+    }
   }
 
   private void tell(ContactListener listener, int i, Contact c) {

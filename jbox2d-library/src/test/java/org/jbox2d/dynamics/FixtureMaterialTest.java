@@ -68,6 +68,44 @@ class FixtureMaterialTest {
     assertTrue(heard[0] > 0);
   }
 
+  /** What it does not want to hear is not lost: the impulse of the step before is known anyway. */
+  @Test
+  void aMaterialHearsOnlyWhatItWants() {
+    World world = Make.world();
+    Make.ground(world);
+    Body box = Make.box(world, BodyType.DYNAMIC, 0f, 0.51f, 0.5f, 0.5f);
+    box.setSleepingAllowed(false);
+    float weight = box.getMass() * Make.G * Make.STEP;
+    List<Float> offered = new ArrayList<>();
+    List<SolvedContact> heard = new ArrayList<>();
+    float[] previous = new float[1];
+    box.getFixtureList()
+        .setMaterial(
+            new FixtureMaterial() {
+              @Override
+              public boolean hears(Fixture fixture, float normalImpulse) {
+                assertSame(box.getFixtureList(), fixture);
+                offered.add(normalImpulse);
+                return normalImpulse > 2f * weight;
+              }
+
+              @Override
+              public void contactSolved(Fixture fixture, SolvedContact solved) {
+                heard.add(solved);
+                previous[0] = solved.previousNormalImpulse;
+                assertEquals(offered.get(offered.size() - 1), solved.normalImpulse());
+              }
+            });
+    Make.steps(world, 60);
+    assertEquals(weight, offered.get(offered.size() - 1), 1e-3f);
+    assertTrue(offered.size() >= 50);
+    assertTrue(heard.isEmpty());
+    box.setLinearVelocity(new Vec2(0f, -5f));
+    Make.steps(world, 1);
+    assertEquals(1, heard.size());
+    assertEquals(weight, previous[0], 1e-3f);
+  }
+
   @Test
   void restingHearsTheWeightEachStepAndTheStepBefore() {
     World world = Make.world();
