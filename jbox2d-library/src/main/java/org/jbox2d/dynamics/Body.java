@@ -104,6 +104,15 @@ public class Body {
   /** How long the body has been calm, s. */
   public float m_sleepTime;
 
+  /** Where the body was when the current span of {@link IslandSleep} began, m and rad. */
+  float restX;
+
+  float restY;
+  float restAngle;
+
+  /** How long it has been still, s. */
+  float stillTime;
+
   /** Whatever the user keeps here. */
   public Object m_userData;
 
@@ -646,6 +655,7 @@ public class Body {
     m_torque = 0f;
     m_flags |= e_awakeFlag;
     m_sleepTime = 0f;
+    stillTime = 0f;
     m_world.enterAwakeSet(this);
     touchProxies();
   }
@@ -699,6 +709,7 @@ public class Body {
     } else {
       m_flags &= ~e_awakeFlag;
       m_sleepTime = 0f;
+      stillTime = 0f;
       m_linearVelocity.setZero();
       m_angularVelocity = 0f;
       m_force.setZero();

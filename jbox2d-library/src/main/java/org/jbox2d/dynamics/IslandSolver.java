@@ -1,7 +1,6 @@
 package org.jbox2d.dynamics;
 
 import org.jbox2d.callbacks.ContactListener;
-import org.jbox2d.common.Settings;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.solver.ContactConstraints;
@@ -54,7 +53,7 @@ final class IslandSolver {
   /** Number of awake bodies when they were gathered. */
   private int gathered;
 
-  private float[] minSleepTime = new float[64];
+  private final IslandSleep sleep = new IslandSleep();
   private boolean[] settled = new boolean[64];
 
   IslandSolver(World world) {
@@ -372,36 +371,8 @@ final class IslandSolver {
 
   // --- Sleep ---
 
-  /**
-   * An island sleeps when all its bodies have been slow for long enough and its positions are
-   * within tolerance.
-   */
+  /** Puts islands to sleep that have come to rest. */
   void updateSleep(StepConfig step) {
-    if (minSleepTime.length < islands.count) {
-      minSleepTime = new float[islands.count + (islands.count >> 1)];
-    }
-    for (int k = 0; k < islands.count; k++) {
-      minSleepTime[k] = settled[k] ? Float.MAX_VALUE : 0f;
-    }
-    AwakeSet awake = world.awake;
-    float linear2 = Settings.linearSleepTolerance * Settings.linearSleepTolerance;
-    // Bodies that listeners have woken since lie behind these; they have no island and are awake
-    // anyway.
-    int n = gathered;
-    for (int i = 0; i < n; i++) {
-      Body b = awake.bodies[i];
-      boolean calm =
-          (b.m_flags & Body.e_autoSleepFlag) != 0
-              && Math.abs(b.m_angularVelocity) <= Settings.angularSleepTolerance
-              && b.m_linearVelocity.lengthSquared() <= linear2;
-      b.m_sleepTime = calm ? b.m_sleepTime + step.dt : 0f;
-      int k = islands.islandOf[i];
-      minSleepTime[k] = Math.min(minSleepTime[k], b.m_sleepTime);
-    }
-    for (int i = n - 1; i >= 0; i--) {
-      if (minSleepTime[islands.islandOf[i]] >= Settings.timeToSleep) {
-        world.fallAsleep(awake.bodies[i]);
-      }
-    }
+    sleep.update(world, islands, settled, gathered, step.dt);
   }
 }

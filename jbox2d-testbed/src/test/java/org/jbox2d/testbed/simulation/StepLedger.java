@@ -61,6 +61,9 @@ final class StepLedger implements ContactListener {
   /** Impulses of a step on what breaks as one, for each body that strikes it. */
   private final Map<Object, Map<Body, Double>> blows = new IdentityHashMap<>();
 
+  /** Which bodies were awake before the step. */
+  private final Map<Body, Boolean> wasAwake = new IdentityHashMap<>();
+
   private final Vec2 reaction = new Vec2();
   private double impulseX;
   private double impulseY;
@@ -83,6 +86,10 @@ final class StepLedger implements ContactListener {
     double work = workOfGravity(world, run.hz());
     int fracturesBefore = run.fractureCount();
     double mass = awakeMass(world);
+    wasAwake.clear();
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      wasAwake.put(b, b.isAwake());
+    }
     impulseX = 0;
     impulseY = 0;
     impulseSize = 0;
@@ -94,7 +101,7 @@ final class StepLedger implements ContactListener {
     addJoints(world);
     Totals after = Totals.of(world);
     boolean fracture = run.fractureCount() > fracturesBefore;
-    boolean changed = Math.abs(awakeMass(world) - mass) > MASS_ROUNDING * mass;
+    boolean changed = Math.abs(awakeMass(world) - mass) > MASS_ROUNDING * mass || swapped(world);
     boolean capped = world.getProfile().cappedVelocities > 0;
     if (changed || capped || fracture && brokenByScenery) {
       return;
@@ -151,6 +158,18 @@ final class StepLedger implements ContactListener {
       }
     }
     return work;
+  }
+
+  /**
+   * Whether a body has woken or fallen asleep; another of the same mass may have done the other.
+   */
+  private boolean swapped(World world) {
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      if (wasAwake.getOrDefault(b, b.isAwake()) != b.isAwake()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static double awakeMass(World world) {
