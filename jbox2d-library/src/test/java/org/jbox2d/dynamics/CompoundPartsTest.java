@@ -143,6 +143,32 @@ class CompoundPartsTest {
     assertTrue(shard.getPosition().x > 10.1f - AT_REST, "at " + shard.getPosition());
   }
 
+  /** The shape of a fixture may be edited, also that of a part. */
+  @Test
+  void aPartMayGetMoreVertices() {
+    World world = Make.world();
+    Body body = plate(world);
+    PolygonShape right = (PolygonShape) body.getFixtureList().getShape();
+    PolygonShape bevelled = new PolygonShape();
+    Vec2[] corners = {
+      new Vec2(0f, 0f),
+      new Vec2(2f, 0f),
+      new Vec2(2f, 0.8f),
+      new Vec2(1.8f, 1f),
+      new Vec2(1.4f, 1.1f),
+      new Vec2(0f, 1f)
+    };
+    bevelled.set(corners, corners.length);
+    right.m_count = bevelled.m_count;
+    for (int i = 0; i < right.m_count; i++) {
+      right.m_vertices[i].set(bevelled.m_vertices[i]);
+      right.m_normals[i].set(bevelled.m_normals[i]);
+    }
+    Body box = Make.box(world, BodyType.DYNAMIC, 1.9f, 1.2f, 0.05f, 0.05f);
+    Make.steps(world, 60);
+    assertTrue(box.getPosition().x > 2f, "slides off the bevel: " + box.getPosition());
+  }
+
   /** An edge that crosses a seam from below holds the body by the edge's side, not by the seam. */
   @Test
   void aCompoundOnAnEdgeIsHeldByTheEdge() {

@@ -34,6 +34,8 @@ public final class PartShape extends PolygonShape {
   private final PartShape[] parts;
 
   private final int index;
+
+  /** As long as the vertices, however many of them are in use: users may edit the shape. */
   private final PartShape[] across;
 
   private PartShape(PolygonShape polygon, PartShape[] parts, int index) {
@@ -46,7 +48,7 @@ public final class PartShape extends PolygonShape {
     m_radius = polygon.m_radius;
     this.parts = parts;
     this.index = index;
-    across = new PartShape[m_count];
+    across = new PartShape[m_vertices.length];
   }
 
   /**
