@@ -242,7 +242,9 @@ public final class Fragmenter {
     if (fragmentCount == 0 || (fragmentCount == 1 && !anyStays)) {
       return false;
     }
-    uniteWhatStays(breaks);
+    if (anyStays) {
+      uniteWhatStays(breaks);
+    }
     numberClasses(breaks);
     return true;
   }

@@ -40,10 +40,12 @@ final class Noder {
   private int splitCount;
   private int[] splitSegment = new int[64];
   private int[] splitNode = new int[64];
-  private double[] splitKey = new double[64];
   private double[] splitParameter = new double[64];
   private int[] splitOrder = new int[64];
   private int[] splitScratch = new int[64];
+
+  /** For each segment the place of its first split in the order. */
+  private int[] splitStart = new int[64];
 
   /** Whether something was moved, not only cut, in this round. */
   private boolean bent;
@@ -306,7 +308,6 @@ final class Noder {
       int size = 2 * splitCount;
       splitSegment = Arrays.copyOf(splitSegment, size);
       splitNode = Arrays.copyOf(splitNode, size);
-      splitKey = new double[size];
       splitParameter = new double[size];
       splitOrder = new int[size];
       splitScratch = new int[size];
@@ -334,19 +335,38 @@ final class Noder {
     dropEmptySegments();
   }
 
-  /** Brings the splits in the order of their segments, and along each segment. */
+  /** Brings the splits in the order of their segments, by counting them, and along each segment. */
   private void sortSplits() {
+    if (splitStart.length < count + 1) {
+      splitStart = new int[count + count / 2 + 1];
+    }
+    Arrays.fill(splitStart, 0, count + 1, 0);
     for (int k = 0; k < splitCount; k++) {
       int s = splitSegment[k];
       int a = from[s];
       int p = splitNode[k];
       double ux = xy[2 * to[s]] - xy[2 * a];
       double uy = xy[2 * to[s] + 1] - xy[2 * a + 1];
-      splitKey[k] = s;
       splitParameter[k] = (xy[2 * p] - xy[2 * a]) * ux + (xy[2 * p + 1] - xy[2 * a + 1]) * uy;
-      splitOrder[k] = k;
+      splitStart[s]++;
     }
-    SortedIndices.sort(splitOrder, splitCount, splitKey, splitParameter, splitScratch);
+    for (int s = 0; s < count; s++) {
+      splitStart[s + 1] += splitStart[s];
+    }
+    for (int k = splitCount - 1; k >= 0; k--) {
+      splitOrder[--splitStart[splitSegment[k]]] = k;
+    }
+    for (int s = 0; s < count; s++) {
+      if (splitStart[s + 1] - splitStart[s] > 1) {
+        SortedIndices.sort(
+            splitOrder,
+            splitStart[s],
+            splitStart[s + 1],
+            splitParameter,
+            splitParameter,
+            splitScratch);
+      }
+    }
   }
 
   /** Cuts segment s at its splits, which begin at place k of the order; returns where they end. */

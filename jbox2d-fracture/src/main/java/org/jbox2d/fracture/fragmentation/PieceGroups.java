@@ -52,8 +52,9 @@ final class PieceGroups {
       }
     }
     for (int p = 0; p < pieceCount; p++) {
-      measure(p);
+      measureArea(p);
     }
+    measurePerimeters();
   }
 
   private void ensure() {
@@ -79,18 +80,37 @@ final class PieceGroups {
     return !map.isUnused(h) && map.piece(h) != NONE;
   }
 
-  private void measure(int p) {
+  private void measureArea(int p) {
     int base = map.origin(edge[edgeStart[p]]);
+    double baseX = map.x(base);
+    double baseY = map.y(base);
     for (int k = edgeStart[p]; k < edgeStart[p + 1]; k++) {
       int a = map.origin(edge[k]);
       int b = map.destination(edge[k]);
-      double ax = map.x(a) - map.x(base);
-      double ay = map.y(a) - map.y(base);
-      double bx = map.x(b) - map.x(base);
-      double by = map.y(b) - map.y(base);
+      double ax = map.x(a) - baseX;
+      double ay = map.y(a) - baseY;
+      double bx = map.x(b) - baseX;
+      double by = map.y(b) - baseY;
       area[p] += 0.5 * (ax * by - ay * bx);
-      if (acrossGroup(edge[k]) != p) {
-        perimeter[p] += length(edge[k]);
+    }
+  }
+
+  /** Each edge between pieces counts for both. */
+  private void measurePerimeters() {
+    for (int h = 0; h < map.halfEdgeCount(); h += 2) {
+      if (map.isUnused(h)) {
+        continue;
+      }
+      int p = map.piece(h);
+      int q = map.piece(h + 1);
+      if (p != q) {
+        double length = length(h);
+        if (p != NONE) {
+          perimeter[p] += length;
+        }
+        if (q != NONE) {
+          perimeter[q] += length;
+        }
       }
     }
   }

@@ -167,25 +167,56 @@ final class PlanarMap {
    * the outline.
    */
   private void sortFans() {
+    boolean coincident = false;
     for (int n = 0; n < nodes.nodeCount(); n++) {
       int start = nodeStart[n];
       int end = nodeStart[n + 1];
+      if (end - start != 3 || !sortThree(start)) {
+        sortFan(start, end);
+      }
       for (int i = start + 1; i < end; i++) {
-        int h = fan[i];
-        int j = i;
-        while (j > start && comesBefore(h, fan[j - 1])) {
-          fan[j] = fan[j - 1];
-          j--;
-        }
-        fan[j] = h;
+        coincident |= origin[fan[i] ^ 1] == origin[fan[i - 1] ^ 1];
       }
     }
-    dropCoincident();
+    if (coincident) {
+      dropCoincident();
+    }
     for (int n = 0; n < nodes.nodeCount(); n++) {
       linkFan(nodeStart[n], nodeStart[n + 1]);
     }
-    for (int n = 0; n < nodes.nodeCount(); n++) {
-      linkAfter(nodeStart[n], nodeStart[n + 1]);
+  }
+
+  /**
+   * Sorts three edges up to the first one, which does not matter: in one of the two orders most
+   * turns are counter-clockwise. False if that does not decide.
+   */
+  private boolean sortThree(int start) {
+    int base = 2 * origin[fan[start]];
+    int p = 2 * origin[fan[start] ^ 1];
+    int q = 2 * origin[fan[start + 1] ^ 1];
+    int r = 2 * origin[fan[start + 2] ^ 1];
+    int turns = turn(base, p, q) + turn(base, q, r) + turn(base, r, p);
+    if (turns < 0) {
+      int swap = fan[start + 1];
+      fan[start + 1] = fan[start + 2];
+      fan[start + 2] = swap;
+    }
+    return turns != 0;
+  }
+
+  private int turn(int o, int p, int q) {
+    return Predicates.orientation(xy[o], xy[o + 1], xy[p], xy[p + 1], xy[q], xy[q + 1]);
+  }
+
+  private void sortFan(int start, int end) {
+    for (int i = start + 1; i < end; i++) {
+      int h = fan[i];
+      int j = i;
+      while (j > start && comesBefore(h, fan[j - 1])) {
+        fan[j] = fan[j - 1];
+        j--;
+      }
+      fan[j] = h;
     }
   }
 
@@ -241,6 +272,7 @@ final class PlanarMap {
     return cycle[h] == Integer.MIN_VALUE;
   }
 
+  /** Makes the edges out of a node neighbours, and those that end there go on along faces. */
   private void linkFan(int start, int end) {
     int first = NONE;
     int last = NONE;
@@ -252,22 +284,18 @@ final class PlanarMap {
       if (first == NONE) {
         first = h;
       } else {
-        ccw[last] = h;
+        link(last, h);
       }
       last = h;
     }
     if (first != NONE) {
-      ccw[last] = first;
+      link(last, first);
     }
   }
 
-  private void linkAfter(int start, int end) {
-    for (int i = start; i < end; i++) {
-      int h = fan[i];
-      if (!isDropped(h)) {
-        after[ccw[h] ^ 1] = h;
-      }
-    }
+  private void link(int h, int following) {
+    ccw[h] = following;
+    after[following ^ 1] = h;
   }
 
   // ---- cycles ----

@@ -26,7 +26,10 @@ final class RingTracer {
   private static final int NONE = -1;
 
   private PlanarMap map;
-  private int[] classOfPiece;
+
+  /** For each half-edge the class on its left, {@link #NONE} outside and for unused ones. */
+  private int[] classLeft = new int[64];
+
   private boolean[] visited = new boolean[64];
   private int nodeEnd;
   private int[] node = new int[64];
@@ -45,15 +48,18 @@ final class RingTracer {
    */
   void trace(PlanarMap planarMap, int[] classes, int classCount, int keptNodes) {
     map = planarMap;
-    classOfPiece = classes;
     ensure(classCount);
+    for (int h = 0; h < map.halfEdgeCount(); h++) {
+      int piece = map.isUnused(h) ? NONE : map.piece(h);
+      classLeft[h] = piece == NONE ? NONE : classes[piece];
+    }
     Arrays.fill(visited, 0, map.halfEdgeCount(), false);
     Arrays.fill(firstRing, 0, classCount, NONE);
     ringCount = 0;
     nodeEnd = 0;
     ringStart[0] = 0;
     for (int h = 0; h < map.halfEdgeCount(); h++) {
-      if (!visited[h] && isBoundary(h) && classLeft(h) != NONE) {
+      if (!visited[h] && isBoundary(h) && classLeft[h] != NONE) {
         traceRing(h, keptNodes);
       }
     }
@@ -62,6 +68,7 @@ final class RingTracer {
   private void ensure(int classCount) {
     if (visited.length < map.halfEdgeCount()) {
       visited = new boolean[2 * map.halfEdgeCount()];
+      classLeft = new int[2 * map.halfEdgeCount()];
       node = new int[2 * map.halfEdgeCount()];
     }
     if (firstRing.length < classCount) {
@@ -69,17 +76,13 @@ final class RingTracer {
     }
   }
 
-  private int classLeft(int h) {
-    int piece = map.piece(h);
-    return piece == NONE ? NONE : classOfPiece[piece];
-  }
-
+  /** An unused half-edge has no class on either side. */
   private boolean isBoundary(int h) {
-    return !map.isUnused(h) && classLeft(h) != classLeft(h ^ 1);
+    return classLeft[h] != classLeft[h ^ 1];
   }
 
   private void traceRing(int first, int keptNodes) {
-    int ringsClass = classLeft(first);
+    int ringsClass = classLeft[first];
     int start = nodeEnd;
     int h = first;
     do {
@@ -89,7 +92,7 @@ final class RingTracer {
         node[nodeEnd++] = n;
       }
       int e = map.ccw(h ^ 1);
-      while (classLeft(e) != ringsClass || !isBoundary(e)) {
+      while (classLeft[e] != ringsClass || !isBoundary(e)) {
         e = map.ccw(e);
       }
       h = e;

@@ -10,6 +10,9 @@ final class SegmentGrid {
   /** Side of the grid never exceeds this: a quarter million buckets. */
   private static final int MAXIMUM_SIDE = 512;
 
+  private double[] xy;
+  private int[] from;
+  private int[] to;
   private double margin;
   private int side;
   private double originX;
@@ -29,8 +32,11 @@ final class SegmentGrid {
   private int mark;
   private int[] found = new int[64];
 
-  /** Takes up segments. */
-  void build(double[] xy, int[] from, int[] to, int count, double by) {
+  /** Takes up segments; the arrays are kept until the next call. */
+  void build(double[] coordinates, int[] origins, int[] ends, int count, double by) {
+    xy = coordinates;
+    from = origins;
+    to = ends;
     margin = by;
     if (stamp.length < count) {
       stamp = new int[2 * count];
@@ -40,7 +46,7 @@ final class SegmentGrid {
     }
     Arrays.fill(stamp, 0, count, 0);
     mark = 0;
-    frame(xy, from, to, count);
+    frame(count);
     int cells = side * side;
     if (start.length < cells + 1) {
       start = new int[cells + 1];
@@ -62,7 +68,7 @@ final class SegmentGrid {
     }
   }
 
-  private void frame(double[] xy, int[] from, int[] to, int count) {
+  private void frame(int count) {
     double minX = Double.POSITIVE_INFINITY;
     double minY = Double.POSITIVE_INFINITY;
     double maxX = Double.NEGATIVE_INFINITY;
@@ -118,10 +124,94 @@ final class SegmentGrid {
     return Math.max(0, Math.min(side - 1, (int) ((y - originY) * scaleY)));
   }
 
-  /** Finds the segments near s, s not among them; returns their number. */
+  /**
+   * Finds the segments near s, s not among them; returns their number. Their order is that of the
+   * first bucket that both are in, row by row, then of their numbers.
+   */
   int query(int s) {
     stamp[s] = ++mark;
-    return query(box[4 * s], box[4 * s + 2], box[4 * s + 1], box[4 * s + 3]);
+    int c0 = range[4 * s];
+    int c1 = range[4 * s + 1];
+    int r0 = range[4 * s + 2];
+    int r1 = range[4 * s + 3];
+    if (c1 - c0 < 2 || r1 - r0 < 2) {
+      return query(box[4 * s], box[4 * s + 2], box[4 * s + 1], box[4 * s + 3]);
+    }
+    int count = queryAlong(s);
+    sortFound(s, count);
+    return count;
+  }
+
+  /**
+   * Looks only into the buckets that a long segment passes: row by row, from where it comes into
+   * the row to where it leaves it. What is not there may overlap the box of s, but is farther from
+   * s than the margin.
+   */
+  private int queryAlong(int s) {
+    double ax = xy[2 * from[s]];
+    double ay = xy[2 * from[s] + 1];
+    double bx = xy[2 * to[s]];
+    double by = xy[2 * to[s] + 1];
+    double low = Math.min(ay, by);
+    double high = Math.max(ay, by);
+    double slope = (bx - ax) / (by - ay);
+    double height = 1 / scaleY;
+    int count = 0;
+    for (int r = range[4 * s + 2]; r <= range[4 * s + 3]; r++) {
+      double floor = originY + r * height;
+      double xLow = ax + slope * (Math.max(low, floor - 2 * margin) - ay);
+      double xHigh = ax + slope * (Math.min(high, floor + height + 2 * margin) - ay);
+      int c0 = column(Math.min(xLow, xHigh) - 2 * margin);
+      int c1 = column(Math.max(xLow, xHigh) + 2 * margin);
+      count = queryRow(r, c0, c1, s, count);
+    }
+    return count;
+  }
+
+  private int queryRow(int r, int c0, int c1, int s, int before) {
+    double minX = box[4 * s];
+    double minY = box[4 * s + 1];
+    double maxX = box[4 * s + 2];
+    double maxY = box[4 * s + 3];
+    int count = before;
+    int end = start[r * side + c1 + 1];
+    for (int k = start[r * side + c0]; k < end; k++) {
+      int t = item[k];
+      if (stamp[t] != mark) {
+        stamp[t] = mark;
+        if (box[4 * t + 2] >= minX
+            & box[4 * t] <= maxX
+            & box[4 * t + 3] >= minY
+            & box[4 * t + 1] <= maxY) {
+          found[count++] = t;
+        }
+      }
+    }
+    return count;
+  }
+
+  private void sortFound(int s, int count) {
+    for (int i = 1; i < count; i++) {
+      int t = found[i];
+      int bucket = firstCommon(s, t);
+      int j = i;
+      while (j > 0 && isLater(found[j - 1], s, bucket, t)) {
+        found[j] = found[j - 1];
+        j--;
+      }
+      found[j] = t;
+    }
+  }
+
+  private boolean isLater(int other, int s, int bucket, int t) {
+    int others = firstCommon(s, other);
+    return others > bucket || (others == bucket && other > t);
+  }
+
+  /** The first bucket that the boxes of two segments have in common. */
+  private int firstCommon(int s, int t) {
+    return Math.max(range[4 * s + 2], range[4 * t + 2]) * side
+        + Math.max(range[4 * s], range[4 * t]);
   }
 
   /** Finds the segments near a point; returns their number. */
@@ -132,21 +222,21 @@ final class SegmentGrid {
 
   private int query(double minX, double maxX, double minY, double maxY) {
     int count = 0;
+    int c0 = column(minX);
     int c1 = column(maxX);
     int r1 = row(maxY);
     for (int r = row(minY); r <= r1; r++) {
-      for (int c = column(minX); c <= c1; c++) {
-        int cell = r * side + c;
-        for (int k = start[cell]; k < start[cell + 1]; k++) {
-          int t = item[k];
-          if (stamp[t] != mark) {
-            stamp[t] = mark;
-            if (box[4 * t + 2] >= minX
-                & box[4 * t] <= maxX
-                & box[4 * t + 3] >= minY
-                & box[4 * t + 1] <= maxY) {
-              found[count++] = t;
-            }
+      // The buckets of a row lie one after the other.
+      int end = start[r * side + c1 + 1];
+      for (int k = start[r * side + c0]; k < end; k++) {
+        int t = item[k];
+        if (stamp[t] != mark) {
+          stamp[t] = mark;
+          if (box[4 * t + 2] >= minX
+              & box[4 * t] <= maxX
+              & box[4 * t + 3] >= minY
+              & box[4 * t + 1] <= maxY) {
+            found[count++] = t;
           }
         }
       }

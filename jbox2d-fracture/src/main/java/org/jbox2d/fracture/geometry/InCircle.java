@@ -60,11 +60,8 @@ public final class InCircle {
             + (Math.abs(ca) + Math.abs(ac)) * bLift
             + (Math.abs(ab) + Math.abs(ba)) * cLift;
     double bound = BOUND * permanent;
-    if (determinant > bound) {
-      return 1;
-    }
-    if (determinant < -bound) {
-      return -1;
+    if (Math.abs(determinant) > bound) {
+      return Predicates.signOf(determinant);
     }
     return exact(ax, ay, bx, by, cx, cy, dx, dy);
   }

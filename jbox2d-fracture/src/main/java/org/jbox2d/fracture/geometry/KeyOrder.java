@@ -12,17 +12,20 @@ import java.util.Arrays;
  * arrays and reuses them.
  */
 public final class KeyOrder {
-  /** Up to this number of keys distribution does not pay. */
-  private static final int FEW = 16;
+  /** Up to this number of keys it is fastest to count for each the keys before it. */
+  private static final int FEW = 40;
 
   private int[] order = new int[64];
   private int[] scratch = new int[64];
   private int[] bucketOf = new int[64];
   private int[] bucketStart = new int[65];
+  private final double[] few = new double[FEW];
 
   /**
    * The indices 0 to n-1 in ascending order of key, in an array that is used again by the next call
    * and may have more than n elements.
+   *
+   * @param key at least n finite numbers
    */
   public int[] ascending(double[] key, int n) {
     if (order.length < n) {
@@ -34,13 +37,33 @@ public final class KeyOrder {
     }
     if (n > FEW) {
       distribute(key, n);
-      return order;
+    } else {
+      countBelow(key, n);
+    }
+    return order;
+  }
+
+  /**
+   * Compares all pairs: the place of a key is the number of those below it, and of equal ones
+   * before it. Which of two is below is as good as random, so the sign bits of differences are
+   * added up. Adding zero turns -0 into 0: then the difference of equal keys has no sign.
+   */
+  private void countBelow(double[] key, int n) {
+    int[] place = bucketOf;
+    for (int i = 0; i < n; i++) {
+      double own = key[i] + 0.0;
+      few[i] = own;
+      int above = 0;
+      for (int j = 0; j < i; j++) {
+        int isAbove = (int) (Double.doubleToRawLongBits(own - few[j]) >>> 63);
+        place[j] += isAbove;
+        above += isAbove;
+      }
+      place[i] = i - above;
     }
     for (int i = 0; i < n; i++) {
-      order[i] = i;
+      order[place[i]] = i;
     }
-    SortedIndices.sort(order, n, key, key, scratch);
-    return order;
   }
 
   private void distribute(double[] key, int n) {

@@ -37,13 +37,18 @@ public final class Predicates {
     double right = (ay - cy) * (bx - cx);
     double determinant = left - right;
     double bound = ORIENTATION_BOUND * (Math.abs(left) + Math.abs(right));
-    if (determinant > bound) {
-      return 1;
-    }
-    if (determinant < -bound) {
-      return -1;
+    if (Math.abs(determinant) > bound) {
+      return signOf(determinant);
     }
     return exactOrientation(ax, ay, bx, by, cx, cy);
+  }
+
+  /**
+   * Sign of a number that is not zero, without a branch: either is as likely, so a processor would
+   * guess it wrong half of the time.
+   */
+  static int signOf(double value) {
+    return (int) (Double.doubleToRawLongBits(value) >> 63) | 1;
   }
 
   /** The same, for points k, l, m of an array of interleaved coordinates. */

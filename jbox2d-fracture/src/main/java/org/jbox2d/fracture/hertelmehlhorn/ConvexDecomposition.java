@@ -86,13 +86,13 @@ public final class ConvexDecomposition {
     private final Status status;
     private final String reason;
     private final ConvexParts parts;
-    private final double areaError;
+    private final Outline outline;
 
-    Result(Status status, String reason, ConvexParts parts, double areaError) {
+    Result(Status status, String reason, ConvexParts parts, Outline outline) {
       this.status = status;
       this.reason = reason;
       this.parts = parts;
-      this.areaError = areaError;
+      this.outline = outline;
     }
 
     /** How it ended. */
@@ -110,9 +110,16 @@ public final class ConvexDecomposition {
       return parts;
     }
 
-    /** Area of all parts less the area of the outline, as a share of the latter. */
+    /**
+     * Area of all parts less the area of the outline, as a share of the latter; -1 on failure. It
+     * is computed here, of the outline's own arrays.
+     */
     public double areaError() {
-      return areaError;
+      if (outline == null) {
+        return -1;
+      }
+      double area = outline.area();
+      return (parts.totalArea() - area) / area;
     }
   }
 
@@ -158,8 +165,7 @@ public final class ConvexDecomposition {
         return failure(Status.TOO_FINE, "all parts are finer than the resolution " + resolution);
       }
     }
-    double area = outline.area();
-    return new Result(Status.DECOMPOSED, "", parts, (parts.totalArea() - area) / area);
+    return new Result(Status.DECOMPOSED, "", parts, outline);
   }
 
   /** Names the first defect. */
@@ -169,7 +175,7 @@ public final class ConvexDecomposition {
   }
 
   private static Result failure(Status status, String reason) {
-    return new Result(status, reason, new ConvexParts(new double[0], new int[1]), -1);
+    return new Result(status, reason, new ConvexParts(new double[0], new int[1]), null);
   }
 
   /** The parts of a normal outline, or null if it resists. */
@@ -185,7 +191,7 @@ public final class ConvexDecomposition {
     }
     hertelMehlhorn.begin(outline, mesh);
     for (int k = 0; k < orders.length; k++) {
-      if (hertelMehlhorn.merge(mostVertices, orders[k]) == 1) {
+      if (!hertelMehlhorn.merge(mostVertices, orders[k])) {
         break;
       }
     }

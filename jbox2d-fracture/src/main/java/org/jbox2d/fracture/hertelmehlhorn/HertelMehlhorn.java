@@ -45,22 +45,33 @@ final class HertelMehlhorn {
   private double[] squaredLength = new double[0];
   private int[] shortestFirst;
 
-  /** For each half-edge the one after it in its triangle. */
+  /** For each half-edge the next and the last one of its triangle, and the triangle. */
   private int[] following = new int[0];
 
-  private int[] after = new int[0];
-  private int[] before = new int[0];
-  private int[] parent = new int[0];
-  private int[] corners = new int[0];
-  private int partCount;
+  private int[] preceding = new int[0];
+  private int[] triangle = new int[0];
 
-  /** The lists of the merge that gave the fewest parts, and their number. */
+  /** The lists of parts: neighbours of a half-edge, and the part it bounds. */
+  private int[] after = new int[0];
+
+  private int[] before = new int[0];
+  private int[] part = new int[0];
+  private int[] corners = new int[0];
+
+  /**
+   * Diagonals of the merge under way that stay, and whether one that went left a straight angle.
+   */
+  private int kept;
+
+  private boolean straight;
+
+  /** The lists of the merge that gave the fewest parts, and what stayed there. */
   private int[] bestAfter = new int[0];
 
   private int[] bestBefore = new int[0];
-  private int bestCount;
+  private int bestKept;
+  private boolean bestStraight;
   private double[] out = new double[0];
-  private boolean[] done = new boolean[0];
 
   /** Takes up a triangulation. */
   void begin(Outline outline, TriangleMesh triangles) {
@@ -68,25 +79,26 @@ final class HertelMehlhorn {
     int n = mesh.halfEdgeCount();
     ensure(n);
     double[] xy = outline.coordinates();
+    // What is kept of a list is as good as random: it is written down before that is known.
+    int count = 0;
     for (int h = 0; h < n; h++) {
       int v = mesh.vertex(h);
       start[2 * h] = xy[2 * v];
       start[2 * h + 1] = xy[2 * v + 1];
+      diagonal[count] = h;
+      count += (h - mesh.twin(h)) >>> 31;
     }
     diagonalCount = 0;
-    for (int h = 0; h < n; h++) {
+    for (int k = 0; k < count; k++) {
+      int h = diagonal[k];
       int t = mesh.twin(h);
-      if (h < t && turn(preceding(h), following[t]) >= 0 && turn(preceding(t), following[h]) >= 0) {
-        squaredLength[diagonalCount] = squaredLength(h);
-        diagonal[diagonalCount++] = h;
-      }
+      int turns = turn(preceding[h], following[t]) | turn(preceding[t], following[h]);
+      diagonal[diagonalCount] = h;
+      squaredLength[diagonalCount] = squaredLength(h);
+      diagonalCount += 1 + (turns >> 31);
     }
     shortestFirst = null;
-    bestCount = Integer.MAX_VALUE;
-  }
-
-  private int preceding(int h) {
-    return following[following[h]];
+    bestKept = Integer.MAX_VALUE;
   }
 
   private void ensure(int n) {
@@ -96,16 +108,19 @@ final class HertelMehlhorn {
       before = new int[size];
       bestAfter = new int[size];
       bestBefore = new int[size];
-      parent = new int[size];
+      part = new int[size];
       corners = new int[size];
       diagonal = new int[size];
       squaredLength = new double[size];
       out = new double[2 * size];
       start = new double[2 * size];
-      done = new boolean[size];
       following = new int[size];
+      preceding = new int[size];
+      triangle = new int[size];
       for (int h = 0; h < size; h++) {
         following[h] = TriangleMesh.following(h);
+        preceding[h] = TriangleMesh.following(following[h]);
+        triangle[h] = h / 3;
       }
     }
   }
@@ -117,20 +132,20 @@ final class HertelMehlhorn {
     return dx * dx + dy * dy;
   }
 
-  /** Merges the triangles in an order; returns the number of parts. */
-  int merge(int mostVertices, DiagonalOrder order) {
+  /**
+   * Merges the triangles in an order, unless it becomes certain that an earlier one gave as few
+   * parts.
+   *
+   * @return whether another order may give fewer parts than the best one until now
+   */
+  boolean merge(int mostVertices, DiagonalOrder order) {
     int n = mesh.halfEdgeCount();
     System.arraycopy(following, 0, after, 0, n);
-    for (int h = 0; h < n; h += 3) {
-      before[h] = h + 2;
-      before[h + 1] = h;
-      before[h + 2] = h + 1;
-    }
-    partCount = mesh.triangleCount();
-    for (int t = 0; t < partCount; t++) {
-      parent[t] = t;
-      corners[t] = 3;
-    }
+    System.arraycopy(preceding, 0, before, 0, n);
+    System.arraycopy(triangle, 0, part, 0, n);
+    Arrays.fill(corners, 0, mesh.triangleCount(), 3);
+    kept = 0;
+    straight = false;
     if (order == DiagonalOrder.LONGEST_FIRST) {
       removeLongestFirst(mostVertices);
     } else if (order == DiagonalOrder.SHORTEST_FIRST) {
@@ -138,21 +153,21 @@ final class HertelMehlhorn {
     } else {
       removeAsFound(mostVertices);
     }
-    if (partCount < bestCount) {
+    if (kept < bestKept) {
       keep();
     }
-    return partCount;
+    return bestKept > 0;
   }
 
   private void removeAsFound(int mostVertices) {
-    for (int k = 0; k < diagonalCount; k++) {
+    for (int k = 0; k < diagonalCount && kept < bestKept; k++) {
       tryRemove(diagonal[k], mostVertices);
     }
   }
 
   private void removeShortestFirst(int mostVertices) {
     sort();
-    for (int k = 0; k < diagonalCount; k++) {
+    for (int k = 0; k < diagonalCount && kept < bestKept; k++) {
       tryRemove(diagonal[shortestFirst[k]], mostVertices);
     }
   }
@@ -161,7 +176,7 @@ final class HertelMehlhorn {
   private void removeLongestFirst(int mostVertices) {
     sort();
     int end = diagonalCount;
-    while (end > 0) {
+    while (end > 0 && kept < bestKept) {
       int first = end - 1;
       double length = squaredLength[shortestFirst[first]];
       while (first > 0 && squaredLength[shortestFirst[first - 1]] == length) {
@@ -180,41 +195,38 @@ final class HertelMehlhorn {
     }
   }
 
-  private int root(int p) {
-    int r = p;
-    while (parent[r] != r) {
-      parent[r] = parent[parent[r]];
-      r = parent[r];
-    }
-    return r;
-  }
-
+  /** One branch for all conditions, of which each alone is as good as random. */
   private void tryRemove(int h, int mostVertices) {
     int t = mesh.twin(h);
     int atStart = turn(before[h], after[t]);
-    if (atStart < 0) {
-      return;
-    }
     int atEnd = turn(before[t], after[h]);
-    if (atEnd < 0) {
-      return;
-    }
-    int own = root(h / 3);
-    int other = root(t / 3);
-    if (own == other) {
-      return;
-    }
+    int own = part[h];
+    int other = part[t];
     int united = corners[own] + corners[other] - 4 + atStart + atEnd;
-    if (united > mostVertices) {
+    if ((atStart | atEnd | (mostVertices - united)) < 0 || own == other) {
+      kept++;
       return;
     }
+    straight |= (atStart & atEnd) == 0;
+    // The smaller list, mostly a triangle, goes to the part of the larger one.
+    if (corners[own] < corners[other]) {
+      relabel(h, other);
+    } else {
+      relabel(t, own);
+    }
+    corners[part[t]] = united;
     join(before[h], after[t]);
     join(before[t], after[h]);
-    parent[other] = own;
-    corners[own] = united;
     after[h] = -1;
     after[t] = -1;
-    partCount--;
+  }
+
+  private void relabel(int first, int to) {
+    int e = first;
+    do {
+      part[e] = to;
+      e = after[e];
+    } while (e != first);
   }
 
   private void join(int h, int next) {
@@ -228,7 +240,8 @@ final class HertelMehlhorn {
   }
 
   private void keep() {
-    bestCount = partCount;
+    bestKept = kept;
+    bestStraight = straight;
     int[] swap = bestAfter;
     bestAfter = after;
     after = swap;
@@ -237,27 +250,27 @@ final class HertelMehlhorn {
     before = swap;
   }
 
-  /** The parts of the first of the merges since {@link #begin} that gave the fewest. */
+  /** The parts of the first of the merges since {@link #begin} that gave the fewest; once. */
   ConvexParts fewestParts() {
     int n = mesh.halfEdgeCount();
-    Arrays.fill(done, 0, n, false);
     int size = 0;
-    int[] starts = new int[bestCount + 1];
+    int[] starts = new int[mesh.triangleCount() - diagonalCount + bestKept + 1];
     int count = 0;
     for (int h = 0; h < n; h++) {
-      if (done[h] || bestAfter[h] < 0) {
+      if (bestAfter[h] < 0) {
         continue;
       }
       int e = h;
-      do {
-        done[e] = true;
-        if (turn(bestBefore[e], e) != 0) {
+      while (bestAfter[e] >= 0) {
+        if (!bestStraight || turn(bestBefore[e], e) != 0) {
           out[2 * size] = start[2 * e];
           out[2 * size + 1] = start[2 * e + 1];
           size++;
         }
-        e = bestAfter[e];
-      } while (e != h);
+        int next = bestAfter[e];
+        bestAfter[e] = -1;
+        e = next;
+      }
       starts[++count] = size;
     }
     return new ConvexParts(Arrays.copyOf(out, 2 * size), starts);

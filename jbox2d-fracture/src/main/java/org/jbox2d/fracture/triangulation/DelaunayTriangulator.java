@@ -34,6 +34,8 @@ public final class DelaunayTriangulator implements Triangulator {
   /** For each vertex the directed edge that the edge of the outline to it has become. */
   private int[] edgeTo = new int[0];
 
+  private int[] following = new int[0];
+
   /** For each rank the last ring that has been found to pass through it. */
   private int[] ringAt = new int[0];
 
@@ -50,18 +52,9 @@ public final class DelaunayTriangulator implements Triangulator {
         || (delaunay.count() < outline.vertexCount() && anyRepeated(outline))) {
       return false;
     }
-    for (int r = 0; r < outline.ringCount(); r++) {
-      int last = delaunay.rankOfSite(outline.ringEnd(r) - 1);
-      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
-        int next = delaunay.rankOfSite(i);
-        edgeTo[i] = force(last, next);
-        if (edgeTo[i] < 0) {
-          return false;
-        }
-        last = next;
-      }
-    }
-    return collect(outline, mesh);
+    boolean forced =
+        delaunay.count() == outline.vertexCount() ? forceMissing(outline) : forceAll(outline);
+    return forced && collect(outline, mesh);
   }
 
   private void prepare(int vertices) {
@@ -71,9 +64,10 @@ public final class DelaunayTriangulator implements Triangulator {
       state = new int[2 * edges];
       queue = new int[2 * edges];
     }
-    if (edgeTo.length < vertices) {
+    if (edgeTo.length < vertices + 1) {
       edgeTo = new int[2 * vertices];
       ringAt = new int[2 * vertices];
+      following = new int[2 * vertices];
     }
     Arrays.fill(constrained, 0, edges, false);
     Arrays.fill(state, 0, edges, UNSEEN);
@@ -95,6 +89,73 @@ public final class DelaunayTriangulator implements Triangulator {
   }
 
   // ---- constraints ----
+
+  private boolean forceAll(Outline outline) {
+    for (int r = 0; r < outline.ringCount(); r++) {
+      int last = delaunay.rankOfSite(outline.ringEnd(r) - 1);
+      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
+        int next = delaunay.rankOfSite(i);
+        edgeTo[i] = force(last, next);
+        if (edgeTo[i] < 0) {
+          return false;
+        }
+        last = next;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * The same if no point is repeated: most edges of the outline are edges of the triangulation
+   * already. These are found by one look at each of its edges, without a branch, since about every
+   * other is one.
+   */
+  private boolean forceMissing(Outline outline) {
+    int n = outline.vertexCount();
+    for (int r = 0; r < outline.ringCount(); r++) {
+      int end = outline.ringEnd(r);
+      for (int i = outline.ringStart(r); i < end; i++) {
+        following[i] = i + 1 < end ? i + 1 : outline.ringStart(r);
+      }
+    }
+    Arrays.fill(edgeTo, 0, n, -1);
+    // Place n takes what is no edge of the outline.
+    for (int e = 0; e < delaunay.edgeEnd(); e += 2) {
+      if (delaunay.isEdge(e)) {
+        int a = delaunay.siteOfRank(delaunay.origin(e));
+        int b = delaunay.siteOfRank(delaunay.destination(e));
+        int along = same(following[a], b);
+        int against = same(following[b], a);
+        edgeTo[n ^ ((n ^ b) & along)] = e;
+        edgeTo[n ^ ((n ^ a) & against)] = e + 1;
+      }
+    }
+    for (int i = 0; i < n; i++) {
+      int e = edgeTo[i];
+      if (e >= 0) {
+        constrained[e] = true;
+        constrained[e ^ 1] = true;
+      }
+    }
+    for (int r = 0; r < outline.ringCount(); r++) {
+      int last = outline.ringEnd(r) - 1;
+      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
+        if (edgeTo[i] < 0) {
+          int e = force(delaunay.rankOfSite(last), delaunay.rankOfSite(i));
+          if (e < 0) {
+            return false;
+          }
+          edgeTo[i] = e;
+        }
+        last = i;
+      }
+    }
+    return true;
+  }
+
+  private static int same(int p, int q) {
+    return ((p ^ q) - 1) >> 31;
+  }
 
   /**
    * Makes a-b an edge and marks it.

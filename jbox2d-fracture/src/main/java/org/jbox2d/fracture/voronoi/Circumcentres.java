@@ -11,8 +11,6 @@ final class Circumcentres {
   /** The face of the outside. */
   static final int NONE = -1;
 
-  private static final int UNSEEN = -2;
-
   /**
    * Sine of the angle between two sides of a triangle above which its circumcentre is known to a
    * relative error of about 2^-52 over this, even if the differences of coordinates were rounded.
@@ -31,16 +29,20 @@ final class Circumcentres {
    */
   private static final double LEAST_CROSS = 1e-25;
 
-  /** Numbers in {@link #side} for each side: its start, the vector to its end, its length. */
-  private static final int SIDE = 5;
+  /** Numbers in {@link #centre} for each face, the last of them not used. */
+  private static final int STRIDE = 4;
 
   private Delaunay delaunay;
+  private int[] records;
   private Clip clip;
   private int count;
-  private boolean[] wellShaped = new boolean[0];
   private int[] parent = new int[0];
+
+  /**
+   * For each face the circumcentre and the square of the distance within which another is the same
+   * or may be: a share of the radius, or infinite if the centre is not known well.
+   */
   private double[] centre = new double[0];
-  private final double[] side = new double[3 * SIDE];
 
   /**
    * Finds all faces and notes at each directed edge the one on its left; centres near the border of
@@ -48,20 +50,22 @@ final class Circumcentres {
    */
   void compute(Delaunay triangulation, Clip rectangle) {
     delaunay = triangulation;
+    records = triangulation.records();
     clip = rectangle;
     int directed = delaunay.edgeEnd();
     // A face has three directed edges.
     if (parent.length < directed / 3 + 1) {
       int size = directed + directed / 2;
       parent = new int[size / 3 + 1];
-      wellShaped = new boolean[size / 3 + 1];
-      centre = new double[2 * (size / 3 + 1)];
-    }
-    for (int e = 0; e < directed; e++) {
-      delaunay.setNote(e, UNSEEN);
+      centre = new double[STRIDE * (size / 3 + 1)];
     }
     markUnboundedFace();
-    numberFaces(directed);
+    count = 0;
+    for (int e = 0; e < directed; e++) {
+      if (EdgeRings.note(records, e) == EdgeRings.UNNOTED && EdgeRings.origin(records, e) >= 0) {
+        takeFace(count++, e);
+      }
+    }
     uniteCocircular(directed);
   }
 
@@ -71,11 +75,11 @@ final class Circumcentres {
   }
 
   double x(int face) {
-    return centre[2 * face];
+    return centre[STRIDE * face];
   }
 
   double y(int face) {
-    return centre[2 * face + 1];
+    return centre[STRIDE * face + 1];
   }
 
   private void markUnboundedFace() {
@@ -85,81 +89,83 @@ final class Circumcentres {
     }
     int e = hull;
     do {
-      delaunay.setNote(e, NONE);
-      e = delaunay.nextLeft(e);
+      EdgeRings.setNote(records, e, NONE);
+      e = EdgeRings.nextLeft(records, e);
     } while (e != hull);
   }
 
-  private void numberFaces(int directed) {
-    count = 0;
-    for (int e = 0; e < directed; e++) {
-      if (delaunay.note(e) != UNSEEN || !delaunay.isEdge(e)) {
-        continue;
-      }
-      int f = delaunay.nextLeft(e);
-      int g = delaunay.nextLeft(f);
-      delaunay.setNote(e, count);
-      delaunay.setNote(f, count);
-      delaunay.setNote(g, count);
-      parent[count] = count;
-      computeCentre(count, delaunay.origin(e), delaunay.origin(f), delaunay.origin(g));
-      count++;
-    }
-  }
-
   /**
-   * Circumcentre of triangle A, B, C with U = B - A, V = C - A (thesis, section 3):
+   * Notes a triangle at its edges and finds its circumcentre. With A, B, C its corners and U = B -
+   * A, V = C - A (thesis, section 3) that is
    *
    * <pre>
    * S = A + (Vy |U|^2 - Uy |V|^2, Ux |V|^2 - Vx |U|^2) / (2 U x V)
    * </pre>
    *
    * A is the start of the shortest side, so that the numerators do not cancel; U x V is evaluated
-   * with compensation. The sides are put into a table and the shortest is looked up there: any is
-   * as likely, and a branch would be guessed wrong twice in three times.
+   * with compensation. Any side is as likely the shortest.
    */
-  private void computeCentre(int face, int p, int q, int r) {
-    double le = setSide(0, p, q);
-    double lf = setSide(SIDE, q, r);
-    double lg = setSide(2 * SIDE, r, p);
-    int shortest = le <= lf ? 0 : SIDE;
-    shortest = Math.min(le, lf) <= lg ? shortest : 2 * SIDE;
-    int before = shortest == 0 ? 2 * SIDE : shortest - SIDE;
-    double ux = side[shortest + 2];
-    double uy = side[shortest + 3];
-    double uu = side[shortest + 4];
-    double vx = -side[before + 2];
-    double vy = -side[before + 3];
-    double vv = side[before + 4];
+  private void takeFace(int face, int e) {
+    double[] xy = delaunay.coordinates();
+    int f = EdgeRings.nextLeft(records, e);
+    int g = EdgeRings.nextLeft(records, f);
+    EdgeRings.setNote(records, e, face);
+    EdgeRings.setNote(records, f, face);
+    EdgeRings.setNote(records, g, face);
+    parent[face] = face;
+    int p = 2 * EdgeRings.origin(records, e);
+    int q = 2 * EdgeRings.origin(records, f);
+    int r = 2 * EdgeRings.origin(records, g);
+    double le = squaredDistance(xy, p, q);
+    double lf = squaredDistance(xy, q, r);
+    double lg = squaredDistance(xy, r, p);
+    int ifF = signMask(lf - le);
+    int ifG = signMask(lg - le) & signMask(lg - lf);
+    int a = choose(ifG, r, choose(ifF, q, p));
+    int b = choose(ifG, p, choose(ifF, r, q));
+    int c = p ^ q ^ r ^ a ^ b;
+    double ax = xy[a];
+    double ay = xy[a + 1];
+    double ux = xy[b] - ax;
+    double uy = xy[b + 1] - ay;
+    double uu = ux * ux + uy * uy;
+    double vx = xy[c] - ax;
+    double vy = xy[c + 1] - ay;
+    double vv = vx * vx + vy * vy;
     double cross = Predicates.crossValue(ux, vy, uy, vx);
     double product = uu * vv;
-    boolean good = cross * cross > WELL_SHAPED * WELL_SHAPED * product;
-    wellShaped[face] = good;
-    if (!good) {
+    boolean wellShaped = cross * cross > WELL_SHAPED * WELL_SHAPED * product;
+    if (!wellShaped) {
       // The differences may have been rounded; then the sign may be lost, but the triangle is known
       // to have an area.
       cross = Math.max(cross, LEAST_CROSS * Math.sqrt(product));
     }
     double twiceCross = 2 * cross;
-    double cx = side[shortest] + (vy * uu - uy * vv) / twiceCross;
-    double cy = side[shortest + 1] + (ux * vv - vx * uu) / twiceCross;
-    centre[2 * face] = clip.ontoBorderX(cx);
-    centre[2 * face + 1] = clip.ontoBorderY(cy);
+    double sx = (vy * uu - uy * vv) / twiceCross;
+    double sy = (ux * vv - vx * uu) / twiceCross;
+    int k = STRIDE * face;
+    centre[k] = clip.ontoBorderX(ax + sx);
+    centre[k + 1] = clip.ontoBorderY(ay + sy);
+    centre[k + 2] = SAME_CENTRE * SAME_CENTRE * (sx * sx + sy * sy);
+    if (!wellShaped) {
+      centre[k + 2] = Double.POSITIVE_INFINITY;
+    }
   }
 
-  /** Enters the side from p to q; returns its squared length. */
-  private double setSide(int k, int p, int q) {
-    double px = delaunay.x(p);
-    double py = delaunay.y(p);
-    double dx = delaunay.x(q) - px;
-    double dy = delaunay.y(q) - py;
-    double squaredLength = dx * dx + dy * dy;
-    side[k] = px;
-    side[k + 1] = py;
-    side[k + 2] = dx;
-    side[k + 3] = dy;
-    side[k + 4] = squaredLength;
-    return squaredLength;
+  private static double squaredDistance(double[] xy, int p, int q) {
+    double dx = xy[q] - xy[p];
+    double dy = xy[q + 1] - xy[p + 1];
+    return dx * dx + dy * dy;
+  }
+
+  /** All ones for a negative number, zero for others. */
+  private static int signMask(double value) {
+    return (int) (Double.doubleToRawLongBits(value) >> 63);
+  }
+
+  /** The first of two numbers if the mask is all ones, the second if it is zero. */
+  private static int choose(int mask, int first, int second) {
+    return second ^ ((first ^ second) & mask);
   }
 
   // ---- cocircular triangles ----
@@ -167,38 +173,31 @@ final class Circumcentres {
   private void uniteCocircular(int directed) {
     boolean any = false;
     for (int e = 0; e < directed; e += 2) {
+      int f = EdgeRings.note(records, e);
+      int g = EdgeRings.note(records, e + 1);
       // The inside has numbers from 0; an edge that is not in use was never seen.
-      if ((delaunay.note(e) | delaunay.note(e + 1)) >= 0
-          && mayBeCocircular(e)
-          && delaunay.inCircleSign(e) == 0) {
-        int f = root(delaunay.note(e));
-        int g = root(delaunay.note(e + 1));
+      if ((f | g) >= 0 && mayBeCocircular(f, g) && delaunay.inCircleSign(e) == 0) {
+        f = root(f);
+        g = root(g);
         parent[Math.max(f, g)] = Math.min(f, g);
         any = true;
       }
     }
     for (int e = 0; any && e < directed; e++) {
-      if (delaunay.note(e) >= 0) {
-        delaunay.setNote(e, root(delaunay.note(e)));
+      if (EdgeRings.note(records, e) >= 0) {
+        EdgeRings.setNote(records, e, root(EdgeRings.note(records, e)));
       }
     }
   }
 
-  /**
-   * False if the centres on both sides of an edge are known well and differ by far more than
-   * rounding.
-   */
-  private boolean mayBeCocircular(int e) {
-    int f = delaunay.note(e);
-    int g = delaunay.note(e + 1);
-    if (!wellShaped[f] || !wellShaped[g]) {
-      return true;
-    }
-    double dx = centre[2 * f] - centre[2 * g];
-    double dy = centre[2 * f + 1] - centre[2 * g + 1];
-    double rx = centre[2 * f] - delaunay.x(delaunay.origin(e));
-    double ry = centre[2 * f + 1] - delaunay.y(delaunay.origin(e));
-    return dx * dx + dy * dy <= SAME_CENTRE * SAME_CENTRE * (rx * rx + ry * ry);
+  /** False if the centres of two faces are known well and differ by far more than rounding. */
+  private boolean mayBeCocircular(int f, int g) {
+    int j = STRIDE * f;
+    int k = STRIDE * g;
+    double dx = centre[j] - centre[k];
+    double dy = centre[j + 1] - centre[k + 1];
+    double squaredDistance = dx * dx + dy * dy;
+    return squaredDistance <= centre[j + 2] || squaredDistance <= centre[k + 2];
   }
 
   private int root(int f) {

@@ -32,7 +32,23 @@ final class Clip {
     maxX = right;
     maxY = high;
     samePoint = SAME_POINT * Math.max(maxX - minX, maxY - minY);
+    middleX = 0.5 * (minX + maxX);
+    middleY = 0.5 * (minY + maxY);
+    halfWidth = 0.5 * (maxX - minX);
+    halfHeight = 0.5 * (maxY - minY);
+    double far =
+        Math.max(
+            Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)));
+    nearBorder = 2 * samePoint + 4 * Math.ulp(far);
   }
+
+  private double middleX;
+  private double middleY;
+  private double halfWidth;
+  private double halfHeight;
+
+  /** What is nearer to the border than twice {@link #samePoint} is so by this much at most. */
+  private double nearBorder;
 
   boolean contains(double x, double y) {
     return x >= minX && x <= maxX && y >= minY && y <= maxY;
@@ -40,12 +56,16 @@ final class Clip {
 
   /** x, or that of a vertical side as good as there: so that no edge is too short to leave. */
   double ontoBorderX(double x) {
-    return ontoBorder(x, minX, maxX);
+    return Math.abs(Math.abs(x - middleX) - halfWidth) <= nearBorder
+        ? ontoBorder(x, minX, maxX)
+        : x;
   }
 
   /** y, or that of a horizontal side as good as there. */
   double ontoBorderY(double y) {
-    return ontoBorder(y, minY, maxY);
+    return Math.abs(Math.abs(y - middleY) - halfHeight) <= nearBorder
+        ? ontoBorder(y, minY, maxY)
+        : y;
   }
 
   private double ontoBorder(double value, double low, double high) {

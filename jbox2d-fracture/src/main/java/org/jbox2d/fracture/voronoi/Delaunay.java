@@ -147,15 +147,16 @@ public final class Delaunay {
   }
 
   /**
-   * A number for each directed edge, for those who go on from here: next to what they ask for
-   * anyway. Anything after {@link #compute}.
+   * The edges themselves, for those who go on from here in loops over all; they may leave a note at
+   * each, which {@link #compute} resets.
    */
-  int note(int e) {
-    return edges.note(e);
+  int[] records() {
+    return edges.records();
   }
 
-  void setNote(int e, int value) {
-    edges.setNote(e, value);
+  /** Interleaved coordinates of the points in the order of ranks; not a copy. */
+  double[] coordinates() {
+    return xy;
   }
 
   /** Whether a triangle lies left of e. */
@@ -268,12 +269,10 @@ public final class Delaunay {
     int turn = Predicates.orientation(xy, p, p + 1, p + 2);
     leftEdge = a;
     rightEdge = b ^ 1;
-    if (turn > 0) {
-      edges.connect(b, a);
-    } else if (turn < 0) {
+    if (turn != 0) {
       int c = edges.connect(b, a);
-      leftEdge = c ^ 1;
-      rightEdge = c;
+      leftEdge = turn > 0 ? a : c ^ 1;
+      rightEdge = turn > 0 ? b ^ 1 : c;
     }
   }
 
@@ -316,11 +315,18 @@ public final class Delaunay {
    * <pre>
    * |b|^2 (c x d) - |c|^2 (b x d) + |d|^2 (b x c) &lt; 0
    * </pre>
+   *
+   * <p>What is above and which candidate comes next is as good as random, so a processor would
+   * guess wrong at every branch. Truths are masks here, made of the signs of determinants: zero for
+   * yes. Only deletions branch off, and what the filters leave open. A candidate on the side that
+   * stays is kept: the new base lies between it and the old one.
    */
   private void rise(int lowest) {
     int base = lowest;
     int l = destination(base);
     int r = origin(base);
+    int left = next(base ^ 1);
+    int right = previous(base);
     while (true) {
       double lx = xy[2 * l];
       double ly = xy[2 * l + 1];
@@ -329,26 +335,21 @@ public final class Delaunay {
       double bb = bx * bx + by * by;
 
       // The left candidate.
-      int left = next(base ^ 1);
       int c = destination(left);
       double cx = xy[2 * c] - lx;
       double cy = xy[2 * c + 1] - ly;
       double cc = cx * cx + cy * cy;
       double bc = bx * cy - by * cx;
-      boolean leftValid = isAbove(bc, bb + cc, l, r, c);
-      if (leftValid) {
-        int kept = left;
-        int after = next(left);
-        int d = destination(after);
-        while (d != r) {
-          double dx = xy[2 * d] - lx;
-          double dy = xy[2 * d + 1] - ly;
-          double dd = dx * dx + dy * dy;
-          double bd = bx * dy - by * dx;
-          double hidden = cc * bd - bb * (cx * dy - cy * dx) - dd * bc;
-          if (!isInside(hidden, bb, cc, dd, l, r, c, d)) {
-            break;
-          }
+      int leftBelow = notAbove(bc, bb + cc, l, r, c);
+      int after = next(left);
+      int d = destination(after);
+      double dx = xy[2 * d] - lx;
+      double dy = xy[2 * d + 1] - ly;
+      double dd = dx * dx + dy * dy;
+      double bd = bx * dy - by * dx;
+      double hidden = cc * bd - bb * (cx * dy - cy * dx) - dd * bc;
+      if (notInside(leftBelow | same(d, r), hidden, bb, cc, dd, l, r, c, d) == 0) {
+        do {
           edges.delete(left);
           left = after;
           after = next(left);
@@ -358,31 +359,31 @@ public final class Delaunay {
           cc = dd;
           bc = bd;
           d = destination(after);
-        }
-        leftValid = left == kept || isAbove(bc, bb + cc, l, r, c);
+          dx = xy[2 * d] - lx;
+          dy = xy[2 * d + 1] - ly;
+          dd = dx * dx + dy * dy;
+          bd = bx * dy - by * dx;
+          hidden = cc * bd - bb * (cx * dy - cy * dx) - dd * bc;
+        } while (notInside(same(d, r), hidden, bb, cc, dd, l, r, c, d) == 0);
+        leftBelow = notAbove(bc, bb + cc, l, r, c);
       }
 
       // The right candidate.
-      int right = previous(base);
       int e = destination(right);
       double ex = xy[2 * e] - lx;
       double ey = xy[2 * e + 1] - ly;
       double ee = ex * ex + ey * ey;
       double be = bx * ey - by * ex;
-      boolean rightValid = isAbove(be, bb + ee, l, r, e);
-      if (rightValid) {
-        int kept = right;
-        int after = previous(right);
-        int f = destination(after);
-        while (f != l) {
-          double fx = xy[2 * f] - lx;
-          double fy = xy[2 * f + 1] - ly;
-          double ff = fx * fx + fy * fy;
-          double bf = bx * fy - by * fx;
-          double hidden = ee * bf - bb * (ex * fy - ey * fx) - ff * be;
-          if (!isInside(hidden, bb, ee, ff, l, r, e, f)) {
-            break;
-          }
+      int rightBelow = notAbove(be, bb + ee, l, r, e);
+      after = previous(right);
+      int f = destination(after);
+      double fx = xy[2 * f] - lx;
+      double fy = xy[2 * f + 1] - ly;
+      double ff = fx * fx + fy * fy;
+      double bf = bx * fy - by * fx;
+      hidden = ee * bf - bb * (ex * fy - ey * fx) - ff * be;
+      if (notInside(rightBelow | same(f, l), hidden, bb, ee, ff, l, r, e, f) == 0) {
+        do {
           edges.delete(right);
           right = after;
           after = previous(right);
@@ -392,44 +393,71 @@ public final class Delaunay {
           ee = ff;
           be = bf;
           f = destination(after);
-        }
-        rightValid = right == kept || isAbove(be, bb + ee, l, r, e);
+          fx = xy[2 * f] - lx;
+          fy = xy[2 * f + 1] - ly;
+          ff = fx * fx + fy * fy;
+          bf = bx * fy - by * fx;
+          hidden = ee * bf - bb * (ex * fy - ey * fx) - ff * be;
+        } while (notInside(same(f, l), hidden, bb, ee, ff, l, r, e, f) == 0);
+        rightBelow = notAbove(be, bb + ee, l, r, e);
       }
 
-      // The next base: left of right, chosen without a branch, since either is as likely.
-      if (!leftValid && !rightValid) {
+      // The next base: to the right if that is all there is, or if e is inside the circle l, r, c.
+      if ((leftBelow & rightBelow) != 0) {
         return;
       }
-      boolean toLeft = leftValid;
-      if (leftValid && rightValid) {
-        double hidden = cc * be - bb * (cx * ey - cy * ex) - ee * bc;
-        double bound = INSIDE_BOUND * (bb * (cc + ee) + cc * ee);
-        toLeft = Math.abs(hidden) > bound ? hidden < 0 : inCircle(l, r, c, e) <= 0;
-      }
-      int from = toLeft ? base ^ 1 : right;
-      int to = toLeft ? left ^ 1 : base ^ 1;
-      l = toLeft ? c : l;
-      r = toLeft ? r : e;
+      hidden = cc * be - bb * (cx * ey - cy * ex) - ee * bc;
+      int toLeft = notInside(rightBelow, hidden, bb, cc, ee, l, r, c, e) & ~leftBelow;
+      int from = choose(toLeft, base ^ 1, right);
+      int to = choose(toLeft, left ^ 1, base ^ 1);
+      int leftAfter = next(left ^ 1);
+      int rightAfter = previous(right ^ 1);
+      l = choose(toLeft, c, l);
+      r = choose(toLeft, r, e);
       base = edges.connect(from, to, r, l);
+      left = choose(toLeft, leftAfter, left);
+      right = choose(toLeft, right, rightAfter);
     }
   }
 
-  /**
-   * Whether p is left of the directed line from l to r. The cross product is that of r - l and p -
-   * l; the sum of their squared lengths is at least twice that of its terms.
-   */
-  private boolean isAbove(double cross, double squares, int l, int r, int p) {
-    double bound = ABOVE_BOUND * squares;
-    return cross > bound || (cross >= -bound && Predicates.orientation(xy, l, r, p) > 0);
+  /** The first of two numbers if the mask is all ones, the second if it is zero. */
+  private static int choose(int mask, int first, int second) {
+    return second ^ ((first ^ second) & mask);
+  }
+
+  /** Zero for different ranks, all ones for the same. */
+  private static int same(int p, int q) {
+    return ((p ^ q) - 1) >> 31;
   }
 
   /**
-   * Whether d is strictly inside the circle through l, r, c. Three squared lengths, of the
-   * differences to l, bound the terms of the determinant: |c x d| is at most (|c|^2 + |d|^2) / 2.
+   * Zero if p is left of the directed line from l to r, else all ones. The cross product is that of
+   * r - l and p - l; the sum of their squared lengths is at least twice that of its terms.
    */
-  private boolean isInside(
-      double determinant, double bb, double cc, double dd, int l, int r, int c, int d) {
+  private int notAbove(double cross, double squares, int l, int r, int p) {
+    if (Math.abs(cross) > ABOVE_BOUND * squares) {
+      return signMask(cross);
+    }
+    return Predicates.orientation(xy, l, r, p) > 0 ? 0 : -1;
+  }
+
+  /**
+   * Zero if d is strictly inside the circle through l, r, c and the given mask is zero, else all
+   * ones. Three squared lengths, of the differences to l, bound the terms of the determinant: |c x
+   * d| is at most (|c|^2 + |d|^2) / 2.
+   */
+  private int notInside(
+      int mask, double determinant, double bb, double cc, double dd, int l, int r, int c, int d) {
     double bound = INSIDE_BOUND * (bb * (cc + dd) + cc * dd);
-    return determinant > bound || (determinant >= -bound && inCircle(l, r, c, d) > 0);
+    int certain = signMask(bound - Math.abs(determinant));
+    if ((mask | certain) == 0) {
+      return inCircle(l, r, c, d) > 0 ? 0 : -1;
+    }
+    return mask | signMask(determinant);
+  }
+
+  /** All ones for a negative number, zero for others. */
+  private static int signMask(double value) {
+    return (int) (Double.doubleToRawLongBits(value) >> 63);
   }
 }

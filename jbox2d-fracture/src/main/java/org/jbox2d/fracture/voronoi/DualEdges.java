@@ -11,8 +11,8 @@ final class DualEdges {
   /** A centre outside the rectangle is no vertex; nor is one that does not exist. */
   private static final int OUTSIDE = -2;
 
-  /** Numbers of an edge in {@link #record}: from, to, site left, site right. */
-  private static final int SHIFT = 2;
+  /** Logarithm of the numbers of an edge in {@link #record}: from, to, site left, site right. */
+  static final int SHIFT = 2;
 
   private Delaunay delaunay;
   private Circumcentres centres;
@@ -40,23 +40,39 @@ final class DualEdges {
     delaunay = triangulation;
     centres = faces;
     clip = rectangle;
-    vertexCount = 0;
-    count = 0;
-    int directed = delaunay.edgeEnd();
-    ensure(directed);
+    ensure(delaunay.edgeEnd());
     for (int f = 0; f < centres.count(); f++) {
       vertexOfFace[f] = clip.contains(centres.x(f), centres.y(f)) ? NONE : OUTSIDE;
     }
+    vertexCount = 0;
+    count = 0;
+    makeEdges();
+  }
+
+  /** Most edges run between two circumcentres inside: these are made here, others are clipped. */
+  private void makeEdges() {
+    int[] records = delaunay.records();
+    int directed = delaunay.edgeEnd();
     for (int e = 0; e < directed; e += 2) {
-      if (delaunay.isEdge(e)) {
-        int right = delaunay.note(e + 1);
-        int left = delaunay.note(e);
-        delaunay.setNote(e, NONE);
-        delaunay.setNote(e + 1, NONE);
-        if (left != right || left == Circumcentres.NONE) {
-          makeEdge(e, right, left);
+      int a = EdgeRings.origin(records, e);
+      if (a < 0) {
+        continue;
+      }
+      int left = EdgeRings.note(records, e);
+      int right = EdgeRings.note(records, e + 1);
+      int made = count;
+      if (left != right || left == Circumcentres.NONE) {
+        if ((left | right) >= 0 && Math.min(vertexOfFace[left], vertexOfFace[right]) != OUTSIDE) {
+          int from = vertexOfCentre(right);
+          int to = vertexOfCentre(left);
+          add(from, to, a, EdgeRings.origin(records, e + 1));
+        } else {
+          makeClippedEdge(e, right, left);
         }
       }
+      made = count > made ? made : NONE;
+      EdgeRings.setNote(records, e, made);
+      EdgeRings.setNote(records, e + 1, made);
     }
   }
 
@@ -90,6 +106,11 @@ final class DualEdges {
     return count;
   }
 
+  /** All edges, four numbers for each: from, to, site left, site right; not a copy. */
+  int[] records() {
+    return record;
+  }
+
   int from(int edge) {
     return record[edge << SHIFT];
   }
@@ -110,17 +131,6 @@ final class DualEdges {
     vertex[2 * vertexCount] = x;
     vertex[2 * vertexCount + 1] = y;
     return vertexCount++;
-  }
-
-  /** Most edges run between two circumcentres inside. */
-  private void makeEdge(int e, int right, int left) {
-    int from = right == Circumcentres.NONE ? OUTSIDE : vertexOfCentre(right);
-    int to = left == Circumcentres.NONE ? OUTSIDE : vertexOfCentre(left);
-    if ((from | to) >= 0) {
-      add(e, from, to);
-    } else {
-      makeClippedEdge(e, right, left);
-    }
   }
 
   /**
@@ -148,21 +158,17 @@ final class DualEdges {
     int to = endInside ? vertexOfCentre(left) : NONE;
     from = from != NONE ? from : borderVertex(mx, my, nx, ny, clipStart, to);
     to = to != NONE ? to : borderVertex(mx, my, nx, ny, clipEnd, from);
-    add(e, from, to);
+    add(from, to, a, b);
   }
 
-  private void add(int e, int from, int to) {
-    if (from == to) {
-      return;
-    }
-    delaunay.setNote(e, count);
-    delaunay.setNote(e + 1, count);
+  /** Adds the dual of the Delaunay edge from rank a to rank b, unless its ends are the same. */
+  private void add(int from, int to, int a, int b) {
     int k = count << SHIFT;
     record[k] = from;
     record[k + 1] = to;
-    record[k + 2] = delaunay.siteOfRank(delaunay.origin(e));
-    record[k + 3] = delaunay.siteOfRank(delaunay.destination(e));
-    count++;
+    record[k + 2] = delaunay.siteOfRank(a);
+    record[k + 3] = delaunay.siteOfRank(b);
+    count += from == to ? 0 : 1;
   }
 
   private boolean isInside(int face) {
@@ -193,11 +199,16 @@ final class DualEdges {
     return clipStart < clipEnd;
   }
 
+  /** The vertex of a face whose centre is inside, made if need be: that is one time in three. */
   private int vertexOfCentre(int face) {
-    if (vertexOfFace[face] == NONE) {
-      vertexOfFace[face] = addVertex(centres.x(face), centres.y(face));
-    }
-    return vertexOfFace[face];
+    int known = vertexOfFace[face];
+    int isNew = known >> 31;
+    vertex[2 * vertexCount] = centres.x(face);
+    vertex[2 * vertexCount + 1] = centres.y(face);
+    int v = known ^ ((known ^ vertexCount) & isNew);
+    vertexCount -= isNew;
+    vertexOfFace[face] = v;
+    return v;
   }
 
   /**

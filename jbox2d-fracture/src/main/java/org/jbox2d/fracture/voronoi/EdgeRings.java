@@ -23,6 +23,9 @@ package org.jbox2d.fracture.voronoi;
 final class EdgeRings {
   static final int NONE = -1;
 
+  /** What is noted for a new edge. */
+  static final int UNNOTED = -2;
+
   /** Elements of {@link #record} for a directed edge: origin, next, previous, note. */
   private static final int SHIFT = 2;
 
@@ -69,13 +72,41 @@ final class EdgeRings {
     return record[((e ^ 1) << SHIFT) + 2];
   }
 
-  /** What has been noted for e last; anything for a new edge. */
+  /** What has been noted for e last. */
   int note(int e) {
     return record[(e << SHIFT) + 3];
   }
 
   void setNote(int e, int value) {
     record[(e << SHIFT) + 3] = value;
+  }
+
+  /**
+   * All that is known of the edges, for loops over many: they keep it in a local variable and read
+   * it with the methods below. Valid until {@link #clear}.
+   */
+  int[] records() {
+    return record;
+  }
+
+  static int origin(int[] records, int e) {
+    return records[e << SHIFT];
+  }
+
+  static int next(int[] records, int e) {
+    return records[(e << SHIFT) + 1];
+  }
+
+  static int nextLeft(int[] records, int e) {
+    return records[((e ^ 1) << SHIFT) + 2];
+  }
+
+  static int note(int[] records, int e) {
+    return records[(e << SHIFT) + 3];
+  }
+
+  static void setNote(int[] records, int e, int value) {
+    records[(e << SHIFT) + 3] = value;
   }
 
   /** Makes an edge that is alone at both its ends. */
@@ -91,9 +122,11 @@ final class EdgeRings {
     record[k] = from;
     record[k + 1] = e;
     record[k + 2] = e;
+    record[k + 3] = UNNOTED;
     record[k + (1 << SHIFT)] = to;
     record[k + (1 << SHIFT) + 1] = e + 1;
     record[k + (1 << SHIFT) + 2] = e + 1;
+    record[k + (1 << SHIFT) + 3] = UNNOTED;
     return e;
   }
 

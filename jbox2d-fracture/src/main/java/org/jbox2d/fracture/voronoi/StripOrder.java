@@ -122,10 +122,10 @@ final class StripOrder {
   }
 
   private void findBounds(double[] points, int n) {
-    minX = Double.POSITIVE_INFINITY;
-    maxX = Double.NEGATIVE_INFINITY;
-    minY = Double.POSITIVE_INFINITY;
-    maxY = Double.NEGATIVE_INFINITY;
+    double left = Double.POSITIVE_INFINITY;
+    double right = Double.NEGATIVE_INFINITY;
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < n; i++) {
       double px = points[2 * i];
       double py = points[2 * i + 1];
@@ -135,11 +135,15 @@ final class StripOrder {
       }
       keyX[i] = -px;
       keyY[i] = py;
-      minX = Math.min(minX, px);
-      maxX = Math.max(maxX, px);
-      minY = Math.min(minY, py);
-      maxY = Math.max(maxY, py);
+      left = px < left ? px : left;
+      right = px > right ? px : right;
+      low = py < low ? py : low;
+      high = py > high ? py : high;
     }
+    minX = left;
+    maxX = right;
+    minY = low;
+    maxY = high;
   }
 
   /**

@@ -192,29 +192,37 @@ public final class VoronoiDiagram {
 
   /** Goes around a site counter-clockwise, edge by edge, along the border where there is none. */
   private void makeCell(int rank, int site) {
+    int[] records = delaunay.records();
+    int[] dual = edges.records();
     int start = cornerEnd;
+    int end = start;
     int firstEdge = delaunay.firstEdge(rank);
     int e = firstEdge;
     int lastTo = NONE;
     int lastNeighbour = NONE;
     do {
-      int edge = delaunay.note(e);
+      int edge = EdgeRings.note(records, e);
       if (edge != NONE) {
         // Edges were made from even Delaunay edges; from an odd one they are seen from their right
         // side, in reverse.
-        boolean forwards = (e & 1) == 0;
-        int from = forwards ? edges.from(edge) : edges.to(edge);
-        int neighbour = forwards ? edges.right(edge) : edges.left(edge);
-        if (lastTo != NONE && lastTo != from) {
+        int k = edge << DualEdges.SHIFT;
+        int odd = e & 1;
+        int from = dual[k + odd];
+        if (lastTo != from && lastTo != NONE) {
+          cornerEnd = end;
           closeGap(lastTo, from, site, lastNeighbour);
+          end = cornerEnd;
         }
-        addCorner(from, neighbour);
-        lastTo = forwards ? edges.to(edge) : edges.from(edge);
-        lastNeighbour = neighbour;
+        lastTo = dual[k + 1 - odd];
+        lastNeighbour = dual[k + 3 - odd];
+        cornerRecord[2 * end] = from;
+        cornerRecord[2 * end + 1] = lastNeighbour;
+        end++;
       }
-      e = delaunay.next(e);
+      e = EdgeRings.next(records, e);
     } while (e != firstEdge);
-    if (cornerEnd > start && lastTo != cornerVertex(start)) {
+    cornerEnd = end;
+    if (end > start && lastTo != cornerVertex(start)) {
       closeGap(lastTo, cornerVertex(start), site, lastNeighbour);
     }
   }
