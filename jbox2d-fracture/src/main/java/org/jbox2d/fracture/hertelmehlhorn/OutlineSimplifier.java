@@ -3,6 +3,7 @@ package org.jbox2d.fracture.hertelmehlhorn;
 import java.util.Arrays;
 import org.jbox2d.fracture.geometry.Outline;
 import org.jbox2d.fracture.geometry.OutlineCheck;
+import org.jbox2d.fracture.geometry.Rings;
 
 /**
  * Rounds an outline to floats and takes from it what is finer than a resolution.
@@ -13,6 +14,10 @@ import org.jbox2d.fracture.geometry.OutlineCheck;
  * neighbours by less than a few units in the last place is dropped. A hole that becomes smaller
  * than a triangle vanishes. If the result is no longer simple, the outline stays as it was, rounded
  * if it can be: the parts are filtered anyway.
+ *
+ * <p>At the blunt end of a wedge, where p-q is short beside the way from there to a-b, c would have
+ * to move farther than that. The area that is lost there, some hundredths of a small piece, is made
+ * up for by stretching the ring across.
  */
 final class OutlineSimplifier {
   /**
@@ -21,6 +26,12 @@ final class OutlineSimplifier {
    * more than the engine leaves between them anyway.
    */
   private static final double FARTHEST = 1.5;
+
+  /**
+   * Relative change of a ring's area beyond which it is stretched: above what the rounding to
+   * floats does to most pieces, below what the pieces of a body may differ from it together.
+   */
+  private static final double AREA_TOLERANCE = 4e-5;
 
   private final OutlineCheck check = new OutlineCheck();
   private double[] ring = new double[64];
@@ -34,6 +45,7 @@ final class OutlineSimplifier {
     int[] starts = new int[outline.ringCount() + 1];
     int rings = 0;
     int total = 0;
+    double[] stretched = null;
     for (int r = 0; r < outline.ringCount(); r++) {
       take(outline, r);
       simplifyRing();
@@ -42,11 +54,24 @@ final class OutlineSimplifier {
       }
       if (size >= 3) {
         System.arraycopy(ring, 0, out, 2 * total, 2 * size);
+        if (restoreArea(outline.ringArea(r)) && stretched == null) {
+          stretched = out.clone();
+        }
+        if (stretched != null) {
+          System.arraycopy(ring, 0, stretched, 2 * total, 2 * size);
+        }
         total += size;
         starts[++rings] = total;
       }
     }
-    Outline coarse = new Outline(Arrays.copyOf(out, 2 * total), Arrays.copyOf(starts, rings + 1));
+    int[] coarseStarts = Arrays.copyOf(starts, rings + 1);
+    if (stretched != null) {
+      Outline kept = new Outline(Arrays.copyOf(stretched, 2 * total), coarseStarts);
+      if (isSound(kept)) {
+        return kept;
+      }
+    }
+    Outline coarse = new Outline(Arrays.copyOf(out, 2 * total), coarseStarts);
     if (isSound(coarse)) {
       return coarse;
     }
@@ -94,6 +119,64 @@ final class OutlineSimplifier {
         }
       }
     }
+  }
+
+  /**
+   * Stretches the ring across its longer axis, so that vertices move as little as may be, until it
+   * has an area; none moves farther than in a collapse. An affine map of a simple ring is simple.
+   *
+   * @return whether anything was to be done, and no edge may become too short by it
+   */
+  private boolean restoreArea(double wanted) {
+    double area = Rings.signedArea(ring, 0, size);
+    if (!(Math.abs(wanted - area) > AREA_TOLERANCE * Math.abs(wanted) && wanted / area > 0)) {
+      return false;
+    }
+    double mx = 0;
+    double my = 0;
+    for (int i = 0; i < size; i++) {
+      mx += ring[2 * i] / size;
+      my += ring[2 * i + 1] / size;
+    }
+    // The longer axis goes through the vertex farthest from the middle; n is normal to it.
+    double nx = 0;
+    double ny = 0;
+    for (int i = 0; i < size; i++) {
+      double dx = ring[2 * i] - mx;
+      double dy = ring[2 * i + 1] - my;
+      if (dx * dx + dy * dy > nx * nx + ny * ny) {
+        nx = -dy;
+        ny = dx;
+      }
+    }
+    double length = Math.sqrt(nx * nx + ny * ny);
+    nx /= length;
+    ny /= length;
+    double width = 0;
+    for (int i = 0; i < size; i++) {
+      width = Math.max(width, Math.abs((ring[2 * i] - mx) * nx + (ring[2 * i + 1] - my) * ny));
+    }
+    double most = FARTHEST * resolution / width;
+    double growth = Math.max(-most, Math.min(most, wanted / area - 1));
+    if (growth < 0 && shortestEdge() * (1 + growth) < resolution) {
+      return false;
+    }
+    for (int i = 0; i < size; i++) {
+      double across = growth * ((ring[2 * i] - mx) * nx + (ring[2 * i + 1] - my) * ny);
+      ring[2 * i] = (float) (ring[2 * i] + across * nx);
+      ring[2 * i + 1] = (float) (ring[2 * i + 1] + across * ny);
+    }
+    return true;
+  }
+
+  private double shortestEdge() {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < size; i++) {
+      double dx = x(i + 1) - x(i);
+      double dy = y(i + 1) - y(i);
+      least = Math.min(least, Math.sqrt(dx * dx + dy * dy));
+    }
+    return least;
   }
 
   private int wrap(int i) {

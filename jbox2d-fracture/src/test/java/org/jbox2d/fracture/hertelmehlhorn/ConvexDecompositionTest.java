@@ -30,9 +30,6 @@ class ConvexDecompositionTest {
   /** Seed of the first case, to run others than usual: -Dgeometry.first=N. */
   private static final int FIRST = Integer.getInteger("geometry.first", 0);
 
-  /** Fragmentations of each kind of outline whose pieces go to the engine. */
-  private static final int FRAGMENTATIONS = 40;
-
   private static final double RESOLUTION = 0.501 * Settings.linearSlop;
 
   @ParameterizedTest
@@ -82,7 +79,7 @@ class ConvexDecompositionTest {
     ConvexDecomposition decomposition = new ConvexDecomposition();
     Fragmenter fragmenter = new Fragmenter();
     int parts = 0;
-    for (int seed = 0; seed < FRAGMENTATIONS; seed++) {
+    for (int seed = FIRST; seed < FIRST + CASES; seed++) {
       Random random = new Random(seed);
       Outline unit = kind.make(random, 4 + random.nextInt(16), random.nextInt(2));
       double[] xy = unit.coordinates().clone();
@@ -120,7 +117,7 @@ class ConvexDecompositionTest {
       }
       assertEquals(1, total / body.area(), 1e-4, kind + " " + siteKind + " " + seed);
     }
-    assertTrue(parts > 5 * FRAGMENTATIONS, "parts: " + parts);
+    assertTrue(parts > 5 * CASES, "parts: " + parts);
   }
 
   @Test
@@ -143,6 +140,36 @@ class ConvexDecompositionTest {
     assertEquals(1, result.parts().count());
     assertEquals(0, result.areaError(), 1e-6);
     assertNull(engineFault(result.parts()));
+  }
+
+  /**
+   * The blunt end of a wedge was collapsed to one vertex, which would have had to move farther than
+   * it may to keep the area: 3.7 percent of this piece were lost.
+   */
+  @Test
+  void bluntEndOfAWedgeIsCollapsedWithoutLossOfArea() {
+    Outline wedge =
+        Outline.of(
+            0.6651136761067621,
+            1.3057299689859296,
+            0.6633320359467105,
+            1.3040478680944143,
+            0.8653519642140649,
+            1.0753745775212877,
+            0.8683688002061469,
+            1.1333711221109946);
+    ConvexDecomposition.Result result = new ConvexDecomposition().decompose(wedge, 8, RESOLUTION);
+    assertEquals(0, result.areaError(), 1e-4);
+    assertNull(engineFault(result.parts()));
+    ConvexParts parts = result.parts();
+    for (int i = 0; i < parts.size(0); i++) {
+      double nearest = Double.POSITIVE_INFINITY;
+      for (int k = 0; k < 4; k++) {
+        nearest =
+            Math.min(nearest, Math.hypot(parts.x(0, i) - wedge.x(k), parts.y(0, i) - wedge.y(k)));
+      }
+      assertTrue(nearest < 3 * RESOLUTION, "a vertex moved by " + nearest);
+    }
   }
 
   @Test
