@@ -160,7 +160,7 @@ public final class ConvexDecomposition {
               Status.NOT_TRIANGULATED, "outline of " + coarse.vertexCount() + " vertices resists");
     }
     if (resolution > 0) {
-      parts = filter.filter(parts, resolution);
+      parts = filter.filter(parts, resolution, outline.area());
       if (parts.count() == 0) {
         return failure(Status.TOO_FINE, "all parts are finer than the resolution " + resolution);
       }

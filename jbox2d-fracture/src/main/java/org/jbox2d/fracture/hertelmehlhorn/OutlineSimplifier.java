@@ -25,15 +25,10 @@ final class OutlineSimplifier {
    * the engine's slop, and the neighbour's vertex may move the other way, so bodies overlap by no
    * more than the engine leaves between them anyway.
    */
-  private static final double FARTHEST = 1.5;
-
-  /**
-   * Relative change of a ring's area beyond which it is stretched: above what the rounding to
-   * floats does to most pieces, below what the pieces of a body may differ from it together.
-   */
-  private static final double AREA_TOLERANCE = 4e-5;
+  static final double FARTHEST = 1.5;
 
   private final OutlineCheck check = new OutlineCheck();
+  private final Stretch stretch = new Stretch();
   private double[] ring = new double[64];
   private int size;
   private double resolution;
@@ -121,51 +116,14 @@ final class OutlineSimplifier {
     }
   }
 
-  /**
-   * Stretches the ring across its longer axis, so that vertices move as little as may be, until it
-   * has an area; none moves farther than in a collapse. An affine map of a simple ring is simple.
-   *
-   * @return whether anything was to be done, and no edge may become too short by it
-   */
+  /** Whether anything was to be done, and no edge may become too short by it. */
   private boolean restoreArea(double wanted) {
     double area = Rings.signedArea(ring, 0, size);
-    if (!(Math.abs(wanted - area) > AREA_TOLERANCE * Math.abs(wanted) && wanted / area > 0)) {
+    if (!stretch.choose(ring, size, area, wanted, FARTHEST * resolution)
+        || (stretch.growth() < 0 && shortestEdge() * (1 + stretch.growth()) < resolution)) {
       return false;
     }
-    double mx = 0;
-    double my = 0;
-    for (int i = 0; i < size; i++) {
-      mx += ring[2 * i] / size;
-      my += ring[2 * i + 1] / size;
-    }
-    // The longer axis goes through the vertex farthest from the middle; n is normal to it.
-    double nx = 0;
-    double ny = 0;
-    for (int i = 0; i < size; i++) {
-      double dx = ring[2 * i] - mx;
-      double dy = ring[2 * i + 1] - my;
-      if (dx * dx + dy * dy > nx * nx + ny * ny) {
-        nx = -dy;
-        ny = dx;
-      }
-    }
-    double length = Math.sqrt(nx * nx + ny * ny);
-    nx /= length;
-    ny /= length;
-    double width = 0;
-    for (int i = 0; i < size; i++) {
-      width = Math.max(width, Math.abs((ring[2 * i] - mx) * nx + (ring[2 * i + 1] - my) * ny));
-    }
-    double most = FARTHEST * resolution / width;
-    double growth = Math.max(-most, Math.min(most, wanted / area - 1));
-    if (growth < 0 && shortestEdge() * (1 + growth) < resolution) {
-      return false;
-    }
-    for (int i = 0; i < size; i++) {
-      double across = growth * ((ring[2 * i] - mx) * nx + (ring[2 * i + 1] - my) * ny);
-      ring[2 * i] = (float) (ring[2 * i] + across * nx);
-      ring[2 * i + 1] = (float) (ring[2 * i + 1] + across * ny);
-    }
+    stretch.apply(ring, size);
     return true;
   }
 

@@ -6,7 +6,8 @@ import org.jbox2d.fracture.geometry.Rings;
 /**
  * Takes from convex parts what an engine would not tell apart: vertices nearer than the resolution
  * to an earlier one, and vertices that hardly stick out. A part without area, or with fewer than
- * three vertices left, is dropped.
+ * three vertices left, is dropped. Area that is lost by that is made up for by stretching all parts
+ * together.
  */
 final class PartFilter {
   /**
@@ -16,10 +17,16 @@ final class PartFilter {
    */
   static final double FLATNESS = 8 * 0x1p-23;
 
+  private final Stretch stretch = new Stretch();
   private double[] ring = new double[32];
   private int size;
 
-  ConvexParts filter(ConvexParts parts, double resolution) {
+  /**
+   * The parts that are left.
+   *
+   * @param area what they are to have together
+   */
+  ConvexParts filter(ConvexParts parts, double resolution, double area) {
     double[] out = new double[0];
     int[] starts = new int[parts.count() + 1];
     int count = 0;
@@ -36,6 +43,13 @@ final class PartFilter {
         starts[++count] = total;
       }
     }
+    ConvexParts left =
+        new ConvexParts(Arrays.copyOf(out, 2 * total), Arrays.copyOf(starts, count + 1));
+    double farthest = OutlineSimplifier.FARTHEST * resolution;
+    if (!stretch.choose(out, total, left.totalArea(), area, farthest) || stretch.growth() < 0) {
+      return left;
+    }
+    stretch.apply(out, total);
     return new ConvexParts(Arrays.copyOf(out, 2 * total), Arrays.copyOf(starts, count + 1));
   }
 
