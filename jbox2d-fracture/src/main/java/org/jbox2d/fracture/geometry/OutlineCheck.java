@@ -251,7 +251,10 @@ public final class OutlineCheck {
     return Segments.touch(xy, a, b, c, d);
   }
 
-  /** Whether edges a-b and c-d, known to meet, do so only in an end of both. */
+  /**
+   * Whether edges a-b and c-d of two rings, known to meet, do so only in an end of both, and the
+   * rings do not cross there.
+   */
   private boolean touchInVertex(int a, int b, int c, int d) {
     int e = same(a, c) || same(a, d) ? a : b;
     int f = same(e, c) ? c : d;
@@ -261,7 +264,41 @@ public final class OutlineCheck {
     double[] xy = outline.coordinates();
     int tipE = e == a ? b : a;
     int tipF = f == c ? d : c;
-    return Predicates.orientation(xy, e, tipE, tipF) != 0 || foldsApart(xy, e, tipE, tipF);
+    return (Predicates.orientation(xy, e, tipE, tipF) != 0 || foldsApart(xy, e, tipE, tipF))
+        && !crossInVertex(e, f);
+  }
+
+  /**
+   * Whether the rings through the same point at vertices v and w cross there: one edge of w is
+   * inside the sector between the edges of v, the other is not. Edges that overlap are found
+   * elsewhere.
+   */
+  private boolean crossInVertex(int v, int w) {
+    int before = before(v);
+    int after = head[v];
+    return inSector(v, after, before, before(w)) != inSector(v, after, before, head[w]);
+  }
+
+  private int before(int i) {
+    int r = ring[i];
+    return i > outline.ringStart(r) ? i - 1 : outline.ringEnd(r) - 1;
+  }
+
+  /**
+   * Whether the direction from v to p is in the sector from the direction of {@code from},
+   * counter-clockwise, to that of {@code to}; it is neither of them.
+   */
+  private boolean inSector(int v, int from, int to, int p) {
+    double[] xy = outline.coordinates();
+    int turn = Predicates.orientation(xy, v, from, to);
+    if (turn > 0) {
+      return Predicates.orientation(xy, v, from, p) > 0 && Predicates.orientation(xy, v, p, to) > 0;
+    }
+    if (turn < 0) {
+      return Predicates.orientation(xy, v, to, p) <= 0
+          || Predicates.orientation(xy, v, p, from) <= 0;
+    }
+    return Predicates.orientation(xy, v, from, p) > 0;
   }
 
   private boolean same(int i, int j) {
@@ -302,9 +339,9 @@ public final class OutlineCheck {
 
   /**
    * Where ring r is relative to ring s, which it does not cross: that of its first vertex that does
-   * not touch s.
+   * not touch s; if all do, that of its first edge, which starts in a vertex of s.
    *
-   * @return +1 inside, -1 outside, 0 if all its vertices touch s
+   * @return +1 inside, -1 outside, 0 if all vertices touch s, but not in its vertices
    */
   private int side(int r, int s) {
     double[] xy = outline.coordinates();
@@ -312,6 +349,20 @@ public final class OutlineCheck {
     for (int i = outline.ringStart(r); side == 0 && i < outline.ringEnd(r); i++) {
       side = Rings.locate(xy, outline.ringStart(s), outline.ringEnd(s), xy[2 * i], xy[2 * i + 1]);
     }
-    return side;
+    return side != 0 ? side : sideOfEdge(outline.ringStart(r), s);
+  }
+
+  private int sideOfEdge(int i, int s) {
+    int start = outline.ringStart(s);
+    int end = outline.ringEnd(s);
+    boolean isLeftInside = outline.ringArea(s) > 0;
+    for (int w = start; w < end; w++) {
+      if (same(w, i)) {
+        int before = w > start ? w - 1 : end - 1;
+        int after = w + 1 < end ? w + 1 : start;
+        return inSector(w, after, before, i + 1) == isLeftInside ? 1 : -1;
+      }
+    }
+    return 0;
   }
 }

@@ -2,6 +2,7 @@ package org.jbox2d.fracture.triangulation;
 
 import java.util.Arrays;
 import org.jbox2d.fracture.geometry.Outline;
+import org.jbox2d.fracture.geometry.OutlineCheck;
 import org.jbox2d.fracture.geometry.Predicates;
 import org.jbox2d.fracture.voronoi.Delaunay;
 
@@ -14,7 +15,8 @@ import org.jbox2d.fracture.voronoi.Delaunay;
  * <p>It also fails for every outline whose edges meet where they may not: at any time there is a
  * plane subdivision with straight edges, since only diagonals of strictly convex quadrilaterals are
  * flipped. So if each edge of the outline has become an edge of its own there, no two of them share
- * more than an end; and no vertex is repeated within its ring, which is looked at.
+ * more than an end. Where points are repeated, rings might still cross there, or visit a point
+ * twice: then the outline is checked.
  *
  * <p>Source: S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
  * Computers &amp; Structures 47 (1993). The last step there, restoring the Delaunay property beside
@@ -27,6 +29,7 @@ public final class DelaunayTriangulator implements Triangulator {
   private static final int UNBOUNDED = -2;
 
   private final Delaunay delaunay = new Delaunay();
+  private final OutlineCheck check = new OutlineCheck();
   private boolean[] constrained = new boolean[0];
   private int[] state = new int[0];
   private int[] queue = new int[0];
@@ -35,9 +38,6 @@ public final class DelaunayTriangulator implements Triangulator {
   private int[] edgeTo = new int[0];
 
   private int[] following = new int[0];
-
-  /** For each rank the last ring that has been found to pass through it. */
-  private int[] ringAt = new int[0];
 
   @Override
   public boolean refusesCrossings() {
@@ -49,7 +49,7 @@ public final class DelaunayTriangulator implements Triangulator {
     delaunay.compute(outline.coordinates(), outline.vertexCount());
     prepare(outline.vertexCount());
     if (delaunay.count() < 3
-        || (delaunay.count() < outline.vertexCount() && anyRepeated(outline))) {
+        || (delaunay.count() < outline.vertexCount() && !check.run(outline, true))) {
       return false;
     }
     boolean forced =
@@ -66,26 +66,10 @@ public final class DelaunayTriangulator implements Triangulator {
     }
     if (edgeTo.length < vertices + 1) {
       edgeTo = new int[2 * vertices];
-      ringAt = new int[2 * vertices];
       following = new int[2 * vertices];
     }
     Arrays.fill(constrained, 0, edges, false);
     Arrays.fill(state, 0, edges, UNSEEN);
-  }
-
-  /** Whether a ring passes through a point twice. */
-  private boolean anyRepeated(Outline outline) {
-    Arrays.fill(ringAt, 0, delaunay.count(), -1);
-    for (int r = 0; r < outline.ringCount(); r++) {
-      for (int i = outline.ringStart(r); i < outline.ringEnd(r); i++) {
-        int rank = delaunay.rankOfSite(i);
-        if (ringAt[rank] == r) {
-          return true;
-        }
-        ringAt[rank] = r;
-      }
-    }
-    return false;
   }
 
   // ---- constraints ----

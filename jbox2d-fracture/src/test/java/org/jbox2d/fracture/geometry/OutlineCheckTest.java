@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.util.List;
+import org.jbox2d.fracture.triangulation.DelaunayTriangulator;
+import org.jbox2d.fracture.triangulation.TriangleMesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -57,6 +59,32 @@ class OutlineCheckTest {
             new double[] {1, 1, 1, 8, 8, 1},
             new double[] {1, 1, 2, 3, 3, 2});
     assertEquals(OutlineDefect.HOLE_IN_HOLE, OutlineCheck.ofTouching(within).defect());
+  }
+
+  /** The hole leaves the outer ring through vertices of both, which passed for touching. */
+  @Test
+  void ringsMayNotCrossInVertices() {
+    double[] triangle = {0, 1, -1, 0, 2, -1};
+    Outline out = Outline.ofRings(triangle, new double[] {0, 1, 0, 0, -1, 0, -1, 1});
+    assertEquals(OutlineDefect.RINGS_MEET, OutlineCheck.ofTouching(out).defect());
+    assertFalse(new DelaunayTriangulator().triangulate(out.normal(), new TriangleMesh()));
+    Outline in = Outline.ofRings(triangle, new double[] {0, 1, 0.25, 0, -1, 0, 0, 0.5});
+    assertEquals(OutlineDefect.NONE, OutlineCheck.ofTouching(in).defect());
+    assertTrue(new DelaunayTriangulator().triangulate(in.normal(), new TriangleMesh()));
+  }
+
+  /** All vertices of the hole are vertices of the outer ring: only its edges tell where it is. */
+  @Test
+  void holesThatTouchWithAllVerticesAreInsideOrOutside() {
+    double[] notched = {0, 0, 6, 0, 6, 6, 3, 2, 0, 6};
+    Outline within = Outline.ofRings(notched, new double[] {0, 0, 6, 0, 3, 2});
+    assertEquals(OutlineDefect.RINGS_MEET, OutlineCheck.ofTouching(within).defect());
+    double[] twice = {0, 0, 3, -1, 6, 0, 6, 6, 3, 2, 0, 6};
+    Outline inside = Outline.ofRings(twice, new double[] {0, 0, 6, 0, 3, 2});
+    assertEquals(OutlineDefect.NONE, OutlineCheck.ofTouching(inside).defect());
+    double[] deep = {0, 0, 6, 0, 6, 6, 4, 2, 3, 5, 2, 2, 0, 6};
+    Outline outside = Outline.ofRings(deep, new double[] {6, 6, 3, 5, 0, 6});
+    assertEquals(OutlineDefect.HOLE_OUTSIDE, OutlineCheck.ofTouching(outside).defect());
   }
 
   @Test
