@@ -133,6 +133,9 @@ public class Body {
   /** See {@link #thickness}. */
   float reach;
 
+  /** Number of contacts whose other body {@link #isObstacle}; most bodies of a pile have none. */
+  int obstacles;
+
   /** How many impacts the continuous phase has handled for this body in the current step. */
   int impacts;
 
@@ -678,7 +681,18 @@ public class Body {
 
   /** Sets whether continuous collision also guards this body against other moving bodies. */
   public final void setBullet(boolean flag) {
+    boolean was = isObstacle();
     m_flags = flag ? m_flags | e_bulletFlag : m_flags & ~e_bulletFlag;
+    if (isObstacle() != was) {
+      for (ContactEdge edge = m_contactList; edge != null; edge = edge.next) {
+        edge.other.obstacles += was ? -1 : 1;
+      }
+    }
+  }
+
+  /** Whether other bodies are stopped by this one within a step. */
+  final boolean isObstacle() {
+    return m_type != BodyType.DYNAMIC || isBullet();
   }
 
   /** Sets whether the body may fall asleep; if not, it is woken. */

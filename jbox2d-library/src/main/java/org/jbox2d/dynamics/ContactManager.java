@@ -146,9 +146,15 @@ public class ContactManager implements PairCallback {
       body.m_contactList.prev = node;
     }
     body.m_contactList = node;
+    if (other.isObstacle()) {
+      body.obstacles++;
+    }
   }
 
   private static void unlink(ContactEdge node, Body body) {
+    if (node.other.isObstacle()) {
+      body.obstacles--;
+    }
     if (node.prev != null) {
       node.prev.next = node.next;
     } else {

@@ -290,8 +290,12 @@ final class ContinuousCollision implements TreeCallback {
       return;
     }
     ray.maxFraction = 1f;
-    for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
+    int left = b.obstacles;
+    for (ContactEdge edge = b.m_contactList; left > 0 && edge != null; edge = edge.next) {
       Contact c = edge.contact;
+      if (edge.other.isObstacle()) {
+        left--;
+      }
       if (edge.other.m_type == BodyType.STATIC
           && c.isTouching()
           && c.isEnabled()

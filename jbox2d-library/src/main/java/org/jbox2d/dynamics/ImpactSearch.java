@@ -96,9 +96,12 @@ final class ImpactSearch implements TreeCallback {
   }
 
   private void searchContacts(Body b, boolean resting) {
-    ContactEdge edge = b.m_contactList;
-    for (; edge != null; edge = edge.next) {
+    int left = b.isBullet() ? Integer.MAX_VALUE : b.obstacles;
+    for (ContactEdge edge = b.m_contactList; left > 0 && edge != null; edge = edge.next) {
       Body o = edge.other;
+      if (o.isObstacle()) {
+        left--;
+      }
       if (!mayHit(b, o)) {
         continue;
       }
