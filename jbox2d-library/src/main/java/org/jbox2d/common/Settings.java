@@ -66,7 +66,10 @@ public class Settings {
    */
   public static float aabbExtension = 0.1f;
 
-  /** By how many displacements of a step a box in the broad phase is stretched ahead. */
+  /**
+   * By how many displacements of a step a box in the broad phase is stretched ahead, up to half its
+   * width plus height.
+   */
   public static float aabbMultiplier = 2.0f;
 
   /**

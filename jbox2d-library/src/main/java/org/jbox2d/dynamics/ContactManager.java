@@ -11,6 +11,7 @@ import org.jbox2d.common.Settings;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.contacts.ShapeContact;
+import org.jbox2d.internal.KnownPairs;
 import org.jbox2d.internal.LongHashSet;
 
 /**
@@ -19,7 +20,7 @@ import org.jbox2d.internal.LongHashSet;
  * <p>Besides JBox2D's linked list of all contacts it keeps a dense array of those with an awake
  * body, which are all that a step looks at, and a hash set of the pairs that have a contact.
  */
-public class ContactManager implements PairCallback {
+public class ContactManager implements PairCallback, KnownPairs {
   /** Finds pairs of overlapping bounds. */
   public BroadPhase m_broadPhase;
 
@@ -81,6 +82,12 @@ public class ContactManager implements PairCallback {
     } else {
       create(proxyA, proxyB);
     }
+  }
+
+  /** Whether two proxies have a contact. Called by the broad phase. */
+  @Override
+  public boolean knows(int low, int high) {
+    return pairs.contains(key(low, high));
   }
 
   /**
@@ -271,8 +278,14 @@ public class ContactManager implements PairCallback {
   }
 
   private boolean passesFilters(Fixture fixtureA, Fixture fixtureB) {
+    ContactFilter filter = m_contactFilter;
+    // Nobody hears of the default filter, and it costs less than to look through the joints.
+    if (filter != null && filter.getClass() == ContactFilter.class) {
+      return filter.shouldCollide(fixtureA, fixtureB)
+          && fixtureB.m_body.shouldCollide(fixtureA.m_body);
+    }
     return fixtureB.m_body.shouldCollide(fixtureA.m_body)
-        && (m_contactFilter == null || m_contactFilter.shouldCollide(fixtureA, fixtureB));
+        && (filter == null || filter.shouldCollide(fixtureA, fixtureB));
   }
 
   void activate(Contact c) {

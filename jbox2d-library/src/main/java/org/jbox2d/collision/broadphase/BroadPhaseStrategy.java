@@ -73,8 +73,8 @@ public interface BroadPhaseStrategy {
   void drawTree(DebugDraw draw);
 
   /**
-   * Number of insertions so far, re-insertions of moved proxies included; a strategy that does not
-   * count returns 0.
+   * Number of enlarged boxes given to proxies so far, new ones and those that moved; a strategy
+   * that does not count returns 0.
    */
   default int getInsertionCount() {
     return 0;

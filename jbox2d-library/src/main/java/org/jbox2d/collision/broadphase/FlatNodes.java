@@ -155,6 +155,15 @@ abstract class FlatNodes {
         && box[j + 1] <= box[i + 3];
   }
 
+  /** Whether the box of a node and another box touch or overlap. */
+  final boolean overlaps(int node, AABB aabb) {
+    int i = 4 * node;
+    return bounds[i] <= aabb.upperBound.x
+        && bounds[i + 1] <= aabb.upperBound.y
+        && aabb.lowerBound.x <= bounds[i + 2]
+        && aabb.lowerBound.y <= bounds[i + 3];
+  }
+
   /** Whether the box of a node contains another box, borders included. */
   final boolean covers(int node, AABB aabb) {
     int i = 4 * node;

@@ -206,6 +206,28 @@ public final class Arms {
   }
 
   /**
+   * Bound of what {@link #stretch} may come to in the iterations of a step. The impulse along a gap
+   * may turn a light body so fast that the gap's stretch changes by more than the impulse took
+   * away: then each iteration would ask for a greater one than the last. Within a bound they cannot
+   * run away: what the velocities at the start of the step come to, and a slop in the step for what
+   * it brings; position correction does the rest. Where the length is far off already, see {@link
+   * #BENT_SLOPS}.
+   *
+   * @param atStart the stretch by the velocities at the start of the step, m/s
+   * @param error by how much the length is off, m
+   */
+  static float mostStretch(float atStart, float error, StepConfig step) {
+    return Math.abs(error) <= BENT_SLOPS * step.linearSlop
+        ? Math.abs(atStart) + step.linearSlop * step.invDt
+        : 0f;
+  }
+
+  /** {@code x} within {@code [-most, most]}. */
+  static float bounded(float x, float most) {
+    return Math.max(-most, Math.min(x, most));
+  }
+
+  /**
    * A way {@code s = h v} across a length L makes it longer by {@code sqrt(L^2 + s^2) - L}: nearly
    * {@code s^2 / (2 L)}, and here never more than s / 2, so that the iterations of several such
    * constraints do not drive each other up.

@@ -15,7 +15,7 @@ package org.jbox2d.dynamics.solver;
  */
 public final class DistanceKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 16;
+  public static final int FLOATS = Arms.SIZE + 17;
 
   private static final int LENGTH = 8;
   private static final int FREQUENCY = 9;
@@ -33,6 +33,7 @@ public final class DistanceKernel extends JointKernel {
   private static final int GAMMA = 21;
   private static final int BIAS = 22;
   private static final int INV_LENGTH = 23;
+  private static final int MOST_STRETCH = 24;
 
   DistanceKernel(int order) {
     super(order, IMPULSE, 1);
@@ -101,7 +102,9 @@ public final class DistanceKernel extends JointKernel {
         k += f[o + GAMMA];
       } else {
         f[o + GAMMA] = 0f;
-        f[o + INV_LENGTH] = length > 0f ? 1f / length : 0f;
+        float inv = f[o + INV_LENGTH] = length > 0f ? 1f / length : 0f;
+        float atStart = Arms.stretch(f, o, v, a, b, ux, uy, inv, h);
+        f[o + MOST_STRETCH] = Arms.mostStretch(atStart, length - f[o + LENGTH], step);
       }
       f[o + MASS] = k > 0f ? 1f / k : 0f;
       float p = f[o + IMPULSE] *= step.warmStarting ? step.dtRatio : 0f;
@@ -131,7 +134,9 @@ public final class DistanceKernel extends JointKernel {
       speed +=
           f[o + GAMMA] > 0f
               ? f[o + BIAS] + f[o + GAMMA] * f[o + IMPULSE]
-              : Arms.stretch(f, o, v, a, b, ux, uy, f[o + INV_LENGTH], step.dt);
+              : Arms.bounded(
+                  Arms.stretch(f, o, v, a, b, ux, uy, f[o + INV_LENGTH], step.dt),
+                  f[o + MOST_STRETCH]);
       float p = -f[o + MASS] * speed;
       f[o + IMPULSE] += p;
       Arms.push(f, o, v, bodies.mass, a, b, p * ux, p * uy, 0f);

@@ -16,7 +16,7 @@ package org.jbox2d.dynamics.solver;
  */
 public final class PulleyKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 14;
+  public static final int FLOATS = Arms.SIZE + 15;
 
   private static final int GROUND_AX = 8;
   private static final int GROUND_AY = 9;
@@ -34,6 +34,7 @@ public final class PulleyKernel extends JointKernel {
   private static final int INV_LENGTH_A = 19;
   private static final int INV_LENGTH_B = 20;
   private static final int MASS = 21;
+  private static final int MOST_STRETCH = 22;
 
   PulleyKernel(int order) {
     super(order, IMPULSE, 1);
@@ -77,7 +78,8 @@ public final class PulleyKernel extends JointKernel {
       int o = rows.floatAt[r];
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
-      place(f, o, bodies, a, b, step.linearSlop);
+      float c = place(f, o, bodies, a, b, step.linearSlop);
+      f[o + MOST_STRETCH] = Arms.mostStretch(stretch(f, o, bodies.vel, a, b, step), c, step);
       f[o + IMPULSE] *= keep;
       push(f, o, bodies, a, b, f[o + IMPULSE]);
     }
@@ -136,41 +138,40 @@ public final class PulleyKernel extends JointKernel {
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
       float lengthening =
-          lengthening(
-              v,
-              a,
-              f[o + Arms.RAX],
-              f[o + Arms.RAY],
-              f[o + UAX],
-              f[o + UAY],
-              f[o + INV_LENGTH_A],
-              step);
-      lengthening +=
-          f[o + RATIO]
-              * lengthening(
-                  v,
-                  b,
-                  f[o + Arms.RBX],
-                  f[o + Arms.RBY],
-                  f[o + UBX],
-                  f[o + UBY],
-                  f[o + INV_LENGTH_B],
-                  step);
+          speed(f, o, v, a, b) + Arms.bounded(stretch(f, o, v, a, b, step), f[o + MOST_STRETCH]);
       float p = f[o + MASS] * lengthening;
       f[o + IMPULSE] += p;
       push(f, o, bodies, a, b, p);
     }
   }
 
-  /** How fast one side gets longer over the step, m/s. */
-  private static float lengthening(
-      float[] v, int b, float rx, float ry, float ux, float uy, float invLength, StepConfig step) {
-    float vx = v[b] - v[b + 2] * ry;
-    float vy = v[b + 1] + v[b + 2] * rx;
-    return ux * vx
-        + uy * vy
-        + Arms.bow(ux * vy - uy * vx, invLength, step.dt)
-        + Arms.bendOne(v[b + 2] * step.dt, ux * rx + uy * ry, ux * ry - uy * rx) * -step.invDt;
+  /** How fast both sides get longer by the velocities, that of B times the ratio, m/s. */
+  private static float speed(float[] f, int o, float[] v, int a, int b) {
+    float ax = v[a] - v[a + 2] * f[o + Arms.RAY];
+    float ay = v[a + 1] + v[a + 2] * f[o + Arms.RAX];
+    float bx = v[b] - v[b + 2] * f[o + Arms.RBY];
+    float by = v[b + 1] + v[b + 2] * f[o + Arms.RBX];
+    return f[o + UAX] * ax + f[o + UAY] * ay + f[o + RATIO] * (f[o + UBX] * bx + f[o + UBY] * by);
+  }
+
+  /** What both sides gain in a step above {@link #speed}; see {@link Arms#stretch}. */
+  private static float stretch(float[] f, int o, float[] v, int a, int b, StepConfig step) {
+    float ofA = stretch(f, o + Arms.RAX, o + UAX, f[o + INV_LENGTH_A], v, a, step);
+    float ofB = stretch(f, o + Arms.RBX, o + UBX, f[o + INV_LENGTH_B], v, b, step);
+    return ofA + f[o + RATIO] * ofB;
+  }
+
+  /** The same of one side: arm at {@code r}, direction at {@code u}. */
+  private static float stretch(
+      float[] f, int r, int u, float invLength, float[] v, int b, StepConfig step) {
+    float rx = f[r];
+    float ry = f[r + 1];
+    float ux = f[u];
+    float uy = f[u + 1];
+    float across = ux * (v[b + 1] + v[b + 2] * rx) - uy * (v[b] - v[b + 2] * ry);
+    float turn = v[b + 2] * step.dt;
+    return Arms.bow(across, invLength, step.dt)
+        - step.invDt * Arms.bendOne(turn, ux * rx + uy * ry, ux * ry - uy * rx);
   }
 
   @Override

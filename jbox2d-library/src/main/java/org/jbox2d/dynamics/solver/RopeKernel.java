@@ -14,7 +14,7 @@ package org.jbox2d.dynamics.solver;
  */
 public final class RopeKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 8;
+  public static final int FLOATS = Arms.SIZE + 9;
 
   private static final int LENGTH = 8;
   // In and out.
@@ -26,6 +26,7 @@ public final class RopeKernel extends JointKernel {
   private static final int ROOM = 13;
   private static final int EXCESS = 14;
   private static final int INV_LENGTH = 15;
+  private static final int MOST_STRETCH = 16;
 
   RopeKernel(int order) {
     super(order, IMPULSE, 1);
@@ -77,9 +78,11 @@ public final class RopeKernel extends JointKernel {
       f[o + MASS] = k > 0f ? 1f / k : 0f;
       float c = length - f[o + LENGTH];
       f[o + EXCESS] = c;
+      float inv = f[o + INV_LENGTH] = length > 0f ? 1f / length : 0f;
+      float atStart = Arms.stretch(f, o, v, a, b, ux, uy, inv, step.dt);
+      f[o + MOST_STRETCH] = Arms.mostStretch(atStart, Math.max(c, 0f), step);
       float p = f[o + IMPULSE] *= step.warmStarting ? step.dtRatio : 0f;
       Arms.push(f, o, v, bodies.mass, a, b, p * ux, p * uy, 0f);
-      f[o + INV_LENGTH] = length > 0f ? 1f / length : 0f;
       f[o + ROOM] = Math.max(-c, 0f) * step.invDt;
     }
   }
@@ -96,7 +99,8 @@ public final class RopeKernel extends JointKernel {
       float ux = f[o + UX];
       float uy = f[o + UY];
       float speed = ux * Arms.speedX(f, o, v, a, b) + uy * Arms.speedY(f, o, v, a, b);
-      speed += Arms.stretch(f, o, v, a, b, ux, uy, f[o + INV_LENGTH], step.dt) - f[o + ROOM];
+      float stretch = Arms.stretch(f, o, v, a, b, ux, uy, f[o + INV_LENGTH], step.dt);
+      speed += Arms.bounded(stretch, f[o + MOST_STRETCH]) - f[o + ROOM];
       float old = f[o + IMPULSE];
       float sum = Math.min(0f, old - f[o + MASS] * speed);
       f[o + IMPULSE] = sum;
