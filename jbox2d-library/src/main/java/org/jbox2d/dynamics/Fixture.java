@@ -100,6 +100,20 @@ public class Fixture {
   /** Sets the material; {@code null} for none. */
   public void setMaterial(FixtureMaterial material) {
     m_material = material;
+    if (material != null) {
+      // Those that sleep may be woken, and solved, before they are updated.
+      flagContacts(0, Contact.WATCHED_FLAG);
+    }
+  }
+
+  private void flagContacts(int clear, int set) {
+    ContactEdge edge = m_body == null ? null : m_body.m_contactList;
+    for (; edge != null; edge = edge.next) {
+      Contact c = edge.contact;
+      if (c.m_fixtureA == this || c.m_fixtureB == this) {
+        c.m_flags = c.m_flags & ~clear | set;
+      }
+    }
   }
 
   /** Returns whether the fixture only reports contacts. */
@@ -115,6 +129,8 @@ public class Fixture {
         m_body.disturbContacts(this);
       }
       m_isSensor = sensor;
+      // Within a step it takes effect at once.
+      flagContacts(sensor ? Contact.SOLID_FLAG : 0, 0);
     }
   }
 

@@ -68,7 +68,9 @@ final class IslandSolver {
     gatherBodies(step, substeps);
     gatherContacts(step);
     gatherJoints();
-    report.keepVelocities(substeps ? step.dt : 0f);
+    if (islands.materials) {
+      report.keepVelocities(substeps ? step.dt : 0f);
+    }
     if (settled.length < islands.count) {
       settled = new boolean[islands.count + (islands.count >> 1)];
     }
@@ -87,11 +89,11 @@ final class IslandSolver {
       profile.solvePosition.accumElapsed();
     }
     scatter(step);
-    if (substeps) {
-      soft.sumImpulses(islands.contactCount);
-    }
     ContactListener listener = world.m_contactManager.m_contactListener;
     if (listener != null || islands.materials) {
+      if (substeps) {
+        soft.sumImpulses(islands.contactCount);
+      }
       report.send(islands.contacts, islands.contactCount, listener, step);
     }
     islands.release();
@@ -208,8 +210,8 @@ final class IslandSolver {
     constraints.ensureCapacity(n);
     for (int i = 0; i < n; i++) {
       Contact c = islands.contacts[i];
-      constraints.bodyA[i] = slotOf(c.m_fixtureA.m_body);
-      constraints.bodyB[i] = slotOf(c.m_fixtureB.m_body);
+      constraints.bodyA[i] = slotOf(c.m_bodyA);
+      constraints.bodyB[i] = slotOf(c.m_bodyB);
       ContactGather.writeVelocityRecord(constraints, i, c, bodies, step);
       ContactGather.writePositionRecord(constraints, i, c, bodies, step);
     }

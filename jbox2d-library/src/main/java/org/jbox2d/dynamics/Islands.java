@@ -110,17 +110,13 @@ final class Islands {
   }
 
   private void linkContact(Contact c) {
-    int needed = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG;
-    if ((c.m_flags & needed) != needed || c.m_manifold.pointCount == 0) {
+    int flags = c.m_flags;
+    int needed = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG | Contact.SOLID_FLAG;
+    if ((flags & needed) != needed) {
       return;
     }
-    Fixture a = c.m_fixtureA;
-    Fixture b = c.m_fixtureB;
-    if (a.m_isSensor || b.m_isSensor) {
-      return;
-    }
-    int slot = link(a.m_body, -1);
-    slot = link(b.m_body, slot);
+    int slot = link(c.m_bodyA, -1);
+    slot = link(c.m_bodyB, slot);
     if (slot < 0) {
       return;
     }
@@ -128,7 +124,7 @@ final class Islands {
       foundContacts = Arrays.copyOf(foundContacts, 2 * contactCount);
       foundContactSlot = Arrays.copyOf(foundContactSlot, 2 * contactCount);
     }
-    materials |= a.m_material != null || b.m_material != null;
+    materials |= (flags & Contact.WATCHED_FLAG) != 0;
     foundContacts[contactCount] = c;
     foundContactSlot[contactCount++] = slot;
   }
@@ -161,10 +157,10 @@ final class Islands {
    * either, -1 for neither.
    */
   private int link(Body body, int slot) {
-    if (body.m_type == BodyType.STATIC) {
-      return slot;
-    }
     if (body.awakeIndex < 0) {
+      if (body.m_type == BodyType.STATIC) {
+        return slot;
+      }
       body.setAwake(true);
       initSets(body.awakeIndex, body.awakeIndex + 1);
     }

@@ -34,6 +34,15 @@ public abstract class Contact {
   /** {@link #m_toi} is valid. */
   public static final int TOI_FLAG = 0x0020;
 
+  /**
+   * Engine-internal: as of the last update the fixtures push each other, neither being a sensor.
+   * With {@link #WATCHED_FLAG} it saves the search for islands a look at manifold and fixtures.
+   */
+  public static final int SOLID_FLAG = 0x0040;
+
+  /** Engine-internal: as of the last update one of the fixtures has a material. */
+  public static final int WATCHED_FLAG = 0x0080;
+
   /** State, of the {@code _FLAG} constants. */
   public int m_flags;
 
@@ -54,6 +63,12 @@ public abstract class Contact {
 
   /** See {@link #m_fixtureA}. */
   public Fixture m_fixtureB;
+
+  /** Engine-internal: the bodies of the fixtures. */
+  public Body m_bodyA;
+
+  /** Engine-internal: see {@link #m_bodyA}. */
+  public Body m_bodyB;
 
   /** Children of the fixtures' shapes. */
   public int m_indexA;
@@ -115,6 +130,8 @@ public abstract class Contact {
     m_flags = ENABLED_FLAG;
     m_fixtureA = fA;
     m_fixtureB = fB;
+    m_bodyA = fA == null ? null : fA.m_body;
+    m_bodyB = fB == null ? null : fB.m_body;
     m_indexA = indexA;
     m_indexB = indexB;
     m_manifold.pointCount = 0;
@@ -264,9 +281,11 @@ public abstract class Contact {
    */
   public void update(ContactListener listener) {
     boolean wasTouching = isTouching();
-    m_flags |= ENABLED_FLAG;
     boolean sensor = m_fixtureA.m_isSensor || m_fixtureB.m_isSensor;
+    boolean watched = m_fixtureA.m_material != null || m_fixtureB.m_material != null;
+    m_flags = m_flags & ~(SOLID_FLAG | WATCHED_FLAG) | ENABLED_FLAG;
     boolean touching = sensor ? senses() : renewManifold(listener != null);
+    m_flags |= (touching && !sensor ? SOLID_FLAG : 0) | (watched ? WATCHED_FLAG : 0);
     if (touching != wasTouching) {
       changeTouching(touching, sensor, listener);
     }
@@ -275,6 +294,9 @@ public abstract class Contact {
       if (!isEnabled()) {
         m_lastImpulse = 0f;
       }
+      if (m_manifold.pointCount == 0) {
+        m_flags &= ~SOLID_FLAG;
+      }
     }
   }
 
@@ -282,18 +304,13 @@ public abstract class Contact {
     m_manifold.pointCount = 0;
     return pool.getCollision()
         .testOverlap(
-            m_fixtureA.m_shape,
-            m_indexA,
-            m_fixtureB.m_shape,
-            m_indexB,
-            m_fixtureA.m_body.m_xf,
-            m_fixtureB.m_body.m_xf);
+            m_fixtureA.m_shape, m_indexA, m_fixtureB.m_shape, m_indexB, m_bodyA.m_xf, m_bodyB.m_xf);
   }
 
   private void changeTouching(boolean touching, boolean sensor, ContactListener listener) {
     if (!sensor) {
-      m_fixtureA.m_body.setAwake(true);
-      m_fixtureB.m_body.setAwake(true);
+      m_bodyA.setAwake(true);
+      m_bodyB.setAwake(true);
     }
     if (touching) {
       m_flags |= TOUCHING_FLAG;
@@ -341,7 +358,7 @@ public abstract class Contact {
       normal1 = p.normalImpulse;
       tangent1 = p.tangentImpulse;
     }
-    evaluate(m, m_fixtureA.m_body.m_xf, m_fixtureB.m_body.m_xf);
+    evaluate(m, m_bodyA.m_xf, m_bodyB.m_xf);
     m_radiusA = m_fixtureA.m_shape.m_radius;
     m_radiusB = m_fixtureB.m_shape.m_radius;
     m_skin =
