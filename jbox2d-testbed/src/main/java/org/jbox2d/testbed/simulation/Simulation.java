@@ -98,7 +98,7 @@ public final class Simulation {
    *
    * @param inputs what was done, in order
    * @param steps how many steps to do; inputs after the last of them are done too, later ones not
-   * @param afterEach hears of the run before the first step and after each
+   * @param afterEach hears of the run before the first step, after each, and after each input
    */
   public static Simulation repeat(
       Setup setup, List<TimedInput> inputs, int steps, Consumer<Simulation> afterEach) {
@@ -108,10 +108,11 @@ public final class Simulation {
       if (i > 0) {
         run.step();
       }
+      afterEach.accept(run);
       while (next < inputs.size() && inputs.get(next).step() == i) {
         run.apply(inputs.get(next++).input());
+        afterEach.accept(run);
       }
-      afterEach.accept(run);
     }
     return run;
   }

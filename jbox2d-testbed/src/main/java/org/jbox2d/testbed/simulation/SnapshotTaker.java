@@ -45,7 +45,7 @@ public final class SnapshotTaker {
 
   /**
    * Gives new bodies their numbers, as {@link #take} does. Bodies have the same numbers in two runs
-   * if in both one or the other is called after each step.
+   * if in both one or the other is called after each step and each input.
    */
   public void note() {
     for (Body b = simulation.world().getBodyList(); b != null; b = b.getNext()) {

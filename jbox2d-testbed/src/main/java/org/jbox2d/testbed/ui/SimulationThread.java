@@ -185,7 +185,12 @@ final class SimulationThread {
 
   /** Queues what the user does to the world. */
   void apply(Input input) {
-    submit(() -> run.apply(input));
+    submit(
+        () -> {
+          run.apply(input);
+          // Whether or not a snapshot is taken before the next command.
+          camera.note();
+        });
   }
 
   /** Sets what snapshots have that not every picture shows; ten seconds of all of it are large. */
