@@ -182,6 +182,9 @@ final class ImpactSearch implements TreeCallback {
       return;
     }
     restOfWay(o, b.m_sweep.alpha0, input.sweepA);
+    if (passesBy(b, o)) {
+      return;
+    }
     input.proxyA.set(fq.m_shape, q.childIndex);
     if (isOutOfReach(b, o)) {
       return;
@@ -203,6 +206,31 @@ final class ImpactSearch implements TreeCallback {
     other = o;
     mine = p;
     theirs = q;
+  }
+
+  /**
+   * Whether two bodies stay further apart than they reach: seen from one, the centre of the other
+   * goes along a straight line from p to p + d, whose nearest point to the origin is where {@code
+   * (p + t d) . d = 0}, or an end. Of a bullet's candidates, which fill the box of a slanting way,
+   * that leaves the few along it.
+   */
+  private boolean passesBy(Body b, Body o) {
+    Sweep s = b.m_sweep;
+    Sweep way = input.sweepA;
+    float px = s.c0.x - way.c0.x;
+    float py = s.c0.y - way.c0.y;
+    float dx = s.c.x - way.c.x - px;
+    float dy = s.c.y - way.c.y - py;
+    float dd = dx * dx + dy * dy;
+    float t = dd > 0f ? -(px * dx + py * dy) / dd : 0f;
+    t = Math.max(0f, Math.min(t, 1f));
+    float x = px + t * dx;
+    float y = py + t * dy;
+    if (o.thickness < 0f) {
+      BodyExtents.compute(o);
+    }
+    float reach = b.reach + o.reach + Settings.linearSlop;
+    return x * x + y * y > reach * reach;
   }
 
   /**
