@@ -659,7 +659,7 @@ public class Body {
     m_flags |= e_awakeFlag;
     m_sleepTime = 0f;
     stillTime = 0f;
-    m_world.enterAwakeSet(this);
+    m_world.awake.enter(this);
     touchProxies();
   }
 
@@ -718,7 +718,7 @@ public class Body {
         m_sleepTime = 0f;
       }
       if (awakeIndex < 0 && m_world != null) {
-        m_world.enterAwakeSet(this);
+        m_world.awake.enter(this);
       }
     } else {
       m_flags &= ~e_awakeFlag;
@@ -729,7 +729,7 @@ public class Body {
       m_force.setZero();
       m_torque = 0f;
       if (awakeIndex >= 0) {
-        m_world.leaveAwakeSet(this);
+        m_world.awake.leave(this, m_world.isLocked());
       }
     }
   }
@@ -757,7 +757,7 @@ public class Body {
         f.createProxies(broadPhase, m_xf);
       }
       if (isAwake()) {
-        m_world.enterAwakeSet(this);
+        m_world.awake.enter(this);
       }
       m_world.lookForPairs();
     } else {

@@ -64,7 +64,7 @@ final class IslandSleep {
     for (int i = n - 1; i >= 0; i--) {
       int k = islands.islandOf[i];
       if ((settled[k] && calm[k] >= time) || still[k] >= SPAN * time) {
-        world.fallAsleep(awake[i]);
+        world.awake.fallAsleep(awake[i]);
       }
     }
   }

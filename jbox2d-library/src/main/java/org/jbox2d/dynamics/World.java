@@ -19,12 +19,8 @@ import org.jbox2d.collision.broadphase.DynamicTree;
 import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
-import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.joints.JointDef;
-import org.jbox2d.dynamics.joints.JointEdge;
-import org.jbox2d.dynamics.joints.JointType;
-import org.jbox2d.dynamics.solver.StepConfig;
 import org.jbox2d.pooling.IWorldPool;
 import org.jbox2d.pooling.normal.DefaultWorldPool;
 
@@ -55,35 +51,24 @@ public class World {
   /** Makes and destroys contacts. */
   protected ContactManager m_contactManager;
 
-  final AwakeSet awake = new AwakeSet();
+  final AwakeSet awake;
   final Profile profile = new Profile();
   final MassData scratchMass = new MassData();
   final Vec2 scratchCentre = new Vec2();
 
   private final Vec2 gravity = new Vec2();
   private final IWorldPool pool;
-  private final StepConfig step = new StepConfig();
 
+  private final WorldBodies bodies;
+  private final WorldJoints joints;
   private final WorldRayCast rayCast;
-  private final IslandSolver islandSolver;
-  private final ContinuousCollision continuous;
-  private final Laggards laggards = new Laggards();
+  private final StepPhases phases;
   private final ArrayDeque<Runnable> deferred = new ArrayDeque<>();
-  private final List<Body> leaving = new ArrayList<>();
   private final List<Object> extensions = new ArrayList<>();
   private final List<StepListener> stepListeners = new ArrayList<>();
 
-  private Solver solver = Solver.sequentialImpulses();
-  private Body bodyList;
-  private Joint jointList;
-  private int bodyCount;
-  private int jointCount;
   private DestructionListener destructionListener;
   private DebugDraw debugDraw;
-  private float lastInvDt;
-  private boolean allowSleep = true;
-  private boolean warmStarting = true;
-  private boolean continuousPhysics = true;
   private boolean subStepping;
 
   /** A world with the given gravity, m/s^2. */
@@ -109,9 +94,11 @@ public class World {
     this.gravity.set(gravity);
     this.pool = pool;
     m_contactManager = new ContactManager(this, broadPhase);
+    awake = new AwakeSet(m_contactManager);
+    bodies = new WorldBodies(this);
+    joints = new WorldJoints(this);
     rayCast = new WorldRayCast(broadPhase);
-    islandSolver = new IslandSolver(this);
-    continuous = new ContinuousCollision(this);
+    phases = new StepPhases(this);
   }
 
   // --- Step ---
@@ -127,18 +114,13 @@ public class World {
    */
   public void step(float dt, int velocityIterations, int positionIterations) {
     checkUnlocked("step");
-    beginStep(dt, velocityIterations, positionIterations);
+    phases.begin(dt, velocityIterations, positionIterations, gravity);
     m_flags |= LOCKED;
     try {
-      updatePairs();
-      collide();
-      if (dt > 0f) {
-        solve();
-        synchronizeBroadPhase();
-        solveContinuous();
-        sleep();
+      phases.run();
+      if ((m_flags & CLEAR_FORCES) != 0) {
+        clearForces();
       }
-      endStep();
     } finally {
       m_flags &= ~LOCKED;
     }
@@ -159,96 +141,19 @@ public class World {
   public void setSolver(Solver solver) {
     checkUnlocked("setSolver");
     Checks.notNull(solver, "solver");
-    this.solver = solver;
+    phases.solver = solver;
   }
 
   /** Returns how contacts and joints are solved. */
   public Solver getSolver() {
-    return solver;
+    return phases.solver;
   }
 
-  private void beginStep(float dt, int velocityIterations, int positionIterations) {
-    Checks.notNegative(dt, "dt");
-    if (velocityIterations < 0 || positionIterations < 0) {
-      throw new IllegalArgumentException(
-          "iterations must not be negative, are " + velocityIterations + ", " + positionIterations);
-    }
-    profile.begin();
-    step.dt = dt;
-    step.invDt = dt > 0f ? 1f / dt : 0f;
-    step.invStep = step.invDt;
-    step.dtRatio = lastInvDt * dt;
-    step.velocityIterations = velocityIterations;
-    step.positionIterations = positionIterations;
-    step.warmStarting = warmStarting;
-    step.gravityX = gravity.x;
-    step.gravityY = gravity.y;
-    step.readSettings();
-    step.velocityTime = 0.5f;
-    step.skinShare = 0f;
-    if (!solver.isSequentialImpulses()) {
-      step.velocityTime = 1f;
-      step.skinShare = 0.5f;
-      step.maxTranslation = Float.MAX_VALUE;
-    }
-  }
-
-  /** Contacts for fixtures that are new or have been moved by hand. */
-  private void updatePairs() {
-    profile.stepInit.start();
+  /** Makes contacts for fixtures that are new or have been moved by hand. */
+  void updatePairs() {
     if ((m_flags & NEW_FIXTURE) != 0) {
       m_contactManager.findNewContacts();
       m_flags &= ~NEW_FIXTURE;
-    }
-    profile.stepInit.stop();
-  }
-
-  private void collide() {
-    profile.collide.start();
-    m_contactManager.collide();
-    letLeave();
-    activeContacts = m_contactManager.activeCount;
-    profile.collide.stop();
-  }
-
-  private void solve() {
-    profile.solve.start();
-    islandSolver.solve(step, solver, profile);
-    laggards.catchUp();
-    profile.solve.stop();
-  }
-
-  /**
-   * Moves the bounds of what has moved, and makes contacts for bounds that have come to overlap.
-   */
-  private void synchronizeBroadPhase() {
-    profile.broadphase.start();
-    islandSolver.synchronizeFixtures();
-    m_contactManager.findNewContacts();
-    profile.broadphase.stop();
-  }
-
-  private void solveContinuous() {
-    profile.solveTOI.start();
-    if (continuousPhysics) {
-      continuous.solve(step);
-    }
-    profile.solveTOI.stop();
-  }
-
-  private void sleep() {
-    if (allowSleep) {
-      islandSolver.updateSleep(step);
-    }
-  }
-
-  private void endStep() {
-    if (step.dt > 0f) {
-      lastInvDt = step.invDt;
-    }
-    letLeave();
-    if ((m_flags & CLEAR_FORCES) != 0) {
-      clearForces();
     }
   }
 
@@ -286,15 +191,7 @@ public class World {
     checkUnlocked("createBody");
     Checks.notNull(def, "def");
     def.check();
-    Body b = new Body(def, this);
-    b.m_next = bodyList;
-    if (bodyList != null) {
-      bodyList.m_prev = b;
-    }
-    bodyList = b;
-    bodyCount++;
-    enterAwakeSet(b);
-    return b;
+    return bodies.create(def);
   }
 
   /**
@@ -305,49 +202,8 @@ public class World {
    */
   public void destroyBody(Body body) {
     checkUnlocked("destroyBody");
-    Checks.notNull(body, "body");
-    if (body.m_world != this) {
-      throw new IllegalArgumentException("body is not of this world, or was destroyed before");
-    }
-    for (JointEdge edge = body.m_jointList; edge != null; edge = body.m_jointList) {
-      if (destructionListener != null) {
-        destructionListener.sayGoodbye(edge.joint);
-      }
-      // The listener may have destroyed it itself.
-      if (body.m_jointList == edge) {
-        destroyJoint(edge.joint);
-      }
-    }
-    for (ContactEdge edge = body.m_contactList; edge != null; edge = body.m_contactList) {
-      m_contactManager.destroy(edge.contact);
-    }
-    for (Fixture f = body.m_fixtureList; f != null; f = body.m_fixtureList) {
-      if (destructionListener != null) {
-        destructionListener.sayGoodbye(f);
-      }
-      if (body.m_fixtureList != f) {
-        continue;
-      }
-      body.m_fixtureList = f.m_next;
-      body.m_fixtureCount--;
-      f.destroyProxies(m_contactManager.m_broadPhase);
-      f.destroy();
-    }
-    if (body.m_world == null) {
-      // A listener destroyed it meanwhile.
-      return;
-    }
-    awake.remove(body);
-    if (body.m_prev != null) {
-      body.m_prev.m_next = body.m_next;
-    } else {
-      bodyList = body.m_next;
-    }
-    if (body.m_next != null) {
-      body.m_next.m_prev = body.m_prev;
-    }
-    body.m_world = null;
-    bodyCount--;
+    checkBody(body, "body");
+    bodies.destroy(body);
   }
 
   /**
@@ -359,66 +215,13 @@ public class World {
   public Joint createJoint(JointDef def) {
     checkUnlocked("createJoint");
     Checks.notNull(def, "def");
-    if (def.type != JointType.GEAR) {
-      checkBody(def.bodyA, "JointDef.bodyA");
-      checkBody(def.bodyB, "JointDef.bodyB");
-    }
-    Joint j = Joint.create(this, def);
-    // A gear takes its bodies from the joints it couples.
-    checkBody(j.getBodyA(), "Joint.bodyA");
-    j.m_next = jointList;
-    if (jointList != null) {
-      jointList.m_prev = j;
-    }
-    jointList = j;
-    jointCount++;
-    link(j, j.m_edgeA, j.getBodyA(), j.getBodyB());
-    if (j.getBodyA() != j.getBodyB()) {
-      link(j, j.m_edgeB, j.getBodyB(), j.getBodyA());
-    }
-    if (!j.getCollideConnected()) {
-      flagContactsBetween(j.getBodyA(), j.getBodyB());
-    }
-    return j;
+    return joints.create(def);
   }
 
-  private void checkBody(Body body, String name) {
+  void checkBody(Body body, String name) {
     Checks.notNull(body, name);
     if (body.m_world != this) {
       throw new IllegalArgumentException(name + " is not of this world, or was destroyed before");
-    }
-  }
-
-  private static void link(Joint j, JointEdge edge, Body body, Body other) {
-    edge.joint = j;
-    edge.other = other;
-    edge.prev = null;
-    edge.next = body.m_jointList;
-    if (body.m_jointList != null) {
-      body.m_jointList.prev = edge;
-    }
-    body.m_jointList = edge;
-  }
-
-  private static void unlink(JointEdge edge, Body body) {
-    if (edge.prev != null) {
-      edge.prev.next = edge.next;
-    } else {
-      body.m_jointList = edge.next;
-    }
-    if (edge.next != null) {
-      edge.next.prev = edge.prev;
-    }
-    edge.prev = null;
-    edge.next = null;
-  }
-
-  private void flagContactsBetween(Body a, Body b) {
-    for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
-      if (edge.other == a) {
-        edge.contact.flagForFiltering();
-        wakeForFiltering(edge.contact);
-      }
     }
   }
 
@@ -436,36 +239,7 @@ public class World {
   public void destroyJoint(Joint joint) {
     checkUnlocked("destroyJoint");
     Checks.notNull(joint, "joint");
-    if (joint.m_edgeA.joint != joint || joint.getBodyA().m_world != this) {
-      throw new IllegalArgumentException("joint is not of this world, or was destroyed before");
-    }
-    if (joint.m_prev != null) {
-      joint.m_prev.m_next = joint.m_next;
-    } else {
-      jointList = joint.m_next;
-    }
-    if (joint.m_next != null) {
-      joint.m_next.m_prev = joint.m_prev;
-    }
-    Body a = joint.getBodyA();
-    Body b = joint.getBodyB();
-    a.setAwake(true);
-    b.setAwake(true);
-    unlink(joint.m_edgeA, a);
-    if (a != b) {
-      unlink(joint.m_edgeB, b);
-    }
-    joint.m_edgeA.joint = null;
-    joint.m_edgeB.joint = null;
-    joint.m_prev = null;
-    joint.m_next = null;
-    Joint.destroy(joint);
-    jointCount--;
-    if (!joint.getCollideConnected()) {
-      // Their bounds may overlap already, and must be met as if new.
-      a.touchProxies();
-      b.touchProxies();
-    }
+    joints.destroy(joint);
   }
 
   /**
@@ -481,18 +255,7 @@ public class World {
     Checks.notNull(joint, "joint");
     checkBody(from, "from");
     checkBody(to, "to");
-    boolean atA = joint.getBodyA() == from;
-    if (!atA && joint.getBodyB() != from) {
-      throw new IllegalArgumentException("joint does not hold the body it is to be moved from");
-    }
-    JointEdge edge = atA ? joint.m_edgeA : joint.m_edgeB;
-    Body other = atA ? joint.getBodyB() : joint.getBodyA();
-    unlink(edge, from);
-    joint.replaceBody(from, to);
-    link(joint, edge, to, other);
-    (atA ? joint.m_edgeB : joint.m_edgeA).other = to;
-    from.setAwake(true);
-    to.setAwake(true);
+    joints.move(joint, from, to);
   }
 
   // --- Catching up ---
@@ -503,7 +266,7 @@ public class World {
    * @param alpha when, as a fraction of the step
    */
   public float timeSince(Body body, float alpha) {
-    return (1f - alpha) * (step.dt + Laggards.timeOf(body));
+    return (1f - alpha) * (phases.config.dt + Laggards.timeOf(body));
   }
 
   /**
@@ -524,62 +287,7 @@ public class World {
     Checks.notNegative(time, "time");
     Checks.finite(velocity, "velocity");
     Checks.finite(angularVelocity, "angularVelocity");
-    laggards.add(body, time, step.dt, velocity, angularVelocity);
-  }
-
-  // --- Awake set ---
-
-  /** Lets the step look at a body and its contacts, if it is awake, active and can move. */
-  void enterAwakeSet(Body b) {
-    if (b.m_type == BodyType.STATIC || !b.isActive() || !b.isAwake() || b.m_world == null) {
-      return;
-    }
-    if (b.awakeIndex < 0) {
-      b.standStill();
-    }
-    awake.add(b);
-    for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
-      m_contactManager.activate(edge.contact);
-    }
-  }
-
-  /**
-   * The body has been put to sleep by hand; during a step it leaves the set only between phases.
-   */
-  void leaveAwakeSet(Body b) {
-    if (b.awakeIndex < 0) {
-      return;
-    }
-    if (isLocked()) {
-      leaving.add(b);
-    } else {
-      removeFromAwakeSet(b);
-    }
-  }
-
-  private void letLeave() {
-    for (int i = 0; i < leaving.size(); i++) {
-      Body b = leaving.get(i);
-      if (!b.isAwake()) {
-        removeFromAwakeSet(b);
-      }
-    }
-    leaving.clear();
-  }
-
-  /** Puts a body to sleep between phases of the step. */
-  void fallAsleep(Body b) {
-    b.setAwake(false);
-    removeFromAwakeSet(b);
-  }
-
-  private void removeFromAwakeSet(Body b) {
-    awake.remove(b);
-    for (ContactEdge edge = b.m_contactList; edge != null; edge = edge.next) {
-      if (edge.other.awakeIndex < 0) {
-        m_contactManager.letRest(edge.contact);
-      }
-    }
+    phases.laggards.add(body, time, phases.config.dt, velocity, angularVelocity);
   }
 
   /** Lets the next step look for pairs among the bounds that have changed. */
@@ -640,12 +348,12 @@ public class World {
 
   /** Returns the first body of the list, the newest, or {@code null}. */
   public Body getBodyList() {
-    return bodyList;
+    return bodies.list;
   }
 
   /** Returns the first joint of the list, the newest, or {@code null}. */
   public Joint getJointList() {
-    return jointList;
+    return joints.list;
   }
 
   /**
@@ -658,12 +366,12 @@ public class World {
 
   /** Returns the number of bodies. */
   public int getBodyCount() {
-    return bodyCount;
+    return bodies.count;
   }
 
   /** Returns the number of joints. */
   public int getJointCount() {
-    return jointCount;
+    return joints.count;
   }
 
   /** Returns the number of contacts, touching or not. */
@@ -719,12 +427,12 @@ public class World {
 
   /** Sets whether bodies may fall asleep; if not, all are woken. */
   public void setAllowSleep(boolean flag) {
-    if (flag == allowSleep) {
+    if (flag == phases.allowSleep) {
       return;
     }
-    allowSleep = flag;
+    phases.allowSleep = flag;
     if (!flag) {
-      for (Body b = bodyList; b != null; b = b.m_next) {
+      for (Body b = bodies.list; b != null; b = b.m_next) {
         b.setAwake(true);
       }
     }
@@ -737,32 +445,32 @@ public class World {
 
   /** Returns whether bodies may fall asleep. */
   public boolean isAllowSleep() {
-    return allowSleep;
+    return phases.allowSleep;
   }
 
   /** Returns whether bodies may fall asleep. */
   public boolean isSleepingAllowed() {
-    return allowSleep;
+    return phases.allowSleep;
   }
 
   /** Sets whether impulses of the last step start the next one's iterations; of use for tests. */
   public void setWarmStarting(boolean warmStarting) {
-    this.warmStarting = warmStarting;
+    phases.warmStarting = warmStarting;
   }
 
   /** Returns whether impulses of the last step start the next one's iterations. */
   public boolean isWarmStarting() {
-    return warmStarting;
+    return phases.warmStarting;
   }
 
   /** Sets whether fast bodies are kept from passing through others. */
   public void setContinuousPhysics(boolean continuousPhysics) {
-    this.continuousPhysics = continuousPhysics;
+    phases.continuousPhysics = continuousPhysics;
   }
 
   /** Returns whether fast bodies are kept from passing through others. */
   public boolean isContinuousPhysics() {
-    return continuousPhysics;
+    return phases.continuousPhysics;
   }
 
   /** Sets whether a step ends at the first time of impact; of use for tests. */
