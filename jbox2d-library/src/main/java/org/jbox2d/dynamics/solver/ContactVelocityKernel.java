@@ -197,23 +197,13 @@ public final class ContactVelocityKernel {
     float x1 = a1 - (d[c + M11] * e1 + d[c + M12] * e2);
     float x2 = a2 - (d[c + M12] * e1 + d[c + M22] * e2);
 
-    // The other index sets in turn: only 1 pushes, only 2, none. One of them fits, as K is positive
-    // definite; where rounding lets none fit, the impulses stay as they are.
     if (!(x1 >= 0f && x2 >= 0f)) {
       float k12 = block[ko + K12];
-      float q1 = e1 - (block[ko + K11] * a1 + k12 * a2);
-      float q2 = e2 - (k12 * a1 + block[ko + K22] * a2);
-      x1 = -q1 / block[ko + K11];
-      x2 = 0f;
-      if (!(x1 >= 0f && k12 * x1 + q2 >= 0f)) {
-        x1 = 0f;
-        x2 = -q2 / block[ko + K22];
-        if (!(x2 >= 0f && k12 * x2 + q1 >= 0f)) {
-          boolean separating = q1 >= 0f && q2 >= 0f;
-          x1 = separating ? 0f : a1;
-          x2 = separating ? 0f : a2;
-        }
-      }
+      float q1 = block[ko + K11] * a1 + k12 * a2 - e1;
+      float q2 = k12 * a1 + block[ko + K22] * a2 - e2;
+      pushAtMostOne(d, o1, o2, a1, a2, block, ko, q1, q2);
+      x1 = d[o1 + NORMAL_IMPULSE];
+      x2 = d[o2 + NORMAL_IMPULSE];
     }
     d[o1 + NORMAL_IMPULSE] = x1;
     d[o2 + NORMAL_IMPULSE] = x2;
@@ -226,5 +216,32 @@ public final class ContactVelocityKernel {
     v[oB] = vBx + mB * j * nx;
     v[oB + 1] = vBy + mB * j * ny;
     v[oB + 2] = wB + iB * (j1 * rn1B + j2 * rn2B);
+  }
+
+  /**
+   * Solves the problem {@code w = K x - q, w >= 0, x >= 0, w . x = 0} where not both points push,
+   * by the other index sets in turn: only 1 pushes, only 2, none. One of them fits, as K is
+   * positive definite; where rounding lets none fit, the impulses stay as they are. Writes x as the
+   * normal impulses of the points at {@code o1} and {@code o2}.
+   *
+   * @param a1 normal impulse so far of point 1; a2: of point 2
+   * @param ko place of K in {@code block}
+   */
+  static void pushAtMostOne(
+      float[] d, int o1, int o2, float a1, float a2, float[] block, int ko, float q1, float q2) {
+    float k12 = block[ko + K12];
+    float x1 = q1 / block[ko + K11];
+    float x2 = 0f;
+    if (!(x1 >= 0f && k12 * x1 >= q2)) {
+      x1 = 0f;
+      x2 = q2 / block[ko + K22];
+      if (!(x2 >= 0f && k12 * x2 >= q1)) {
+        boolean separating = q1 <= 0f && q2 <= 0f;
+        x1 = separating ? 0f : a1;
+        x2 = separating ? 0f : a2;
+      }
+    }
+    d[o1 + NORMAL_IMPULSE] = x1;
+    d[o2 + NORMAL_IMPULSE] = x2;
   }
 }

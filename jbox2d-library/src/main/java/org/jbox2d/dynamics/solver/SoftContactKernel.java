@@ -338,23 +338,14 @@ final class SoftContactKernel {
     float x1 = keep * a1 - (d[c + M11] * e1 + d[c + M12] * e2);
     float x2 = keep * a2 - (d[c + M12] * e1 + d[c + M22] * e2);
 
-    // The other index sets in turn, of the problem w = K x - K (x1, x2): only 1 pushes, only 2,
-    // none.
+    // Else the problem is w = K x - K (x1, x2).
     if (!(x1 >= 0f && x2 >= 0f)) {
       float k12 = block[ko + K12];
       float q1 = block[ko + K11] * x1 + k12 * x2;
       float q2 = k12 * x1 + block[ko + K22] * x2;
-      x1 = q1 / block[ko + K11];
-      x2 = 0f;
-      if (!(x1 >= 0f && k12 * x1 >= q2)) {
-        x1 = 0f;
-        x2 = q2 / block[ko + K22];
-        if (!(x2 >= 0f && k12 * x2 >= q1)) {
-          boolean separating = q1 <= 0f && q2 <= 0f;
-          x1 = separating ? 0f : a1;
-          x2 = separating ? 0f : a2;
-        }
-      }
+      ContactVelocityKernel.pushAtMostOne(d, o1, o2, a1, a2, block, ko, q1, q2);
+      x1 = d[o1 + NORMAL_IMPULSE];
+      x2 = d[o2 + NORMAL_IMPULSE];
     }
     d[o1 + NORMAL_IMPULSE] = x1;
     d[o2 + NORMAL_IMPULSE] = x2;
@@ -464,17 +455,9 @@ final class SoftContactKernel {
       float k12 = block[ko + K12];
       float q1 = block[ko + K11] * x1 + k12 * x2;
       float q2 = k12 * x1 + block[ko + K22] * x2;
-      x1 = q1 / block[ko + K11];
-      x2 = 0f;
-      if (!(x1 >= 0f && k12 * x1 >= q2)) {
-        x1 = 0f;
-        x2 = q2 / block[ko + K22];
-        if (!(x2 >= 0f && k12 * x2 >= q1)) {
-          boolean separating = q1 <= 0f && q2 <= 0f;
-          x1 = separating ? 0f : a1;
-          x2 = separating ? 0f : a2;
-        }
-      }
+      ContactVelocityKernel.pushAtMostOne(d, o1, o2, a1, a2, block, ko, q1, q2);
+      x1 = d[o1 + NORMAL_IMPULSE];
+      x2 = d[o2 + NORMAL_IMPULSE];
     }
     float j1 = x1 - a1;
     float j2 = x2 - a2;
