@@ -32,7 +32,7 @@ class PileTest {
     return Stream.of(Solver.sequentialImpulses(), Solver.softStep(), Solver.adaptive());
   }
 
-  private static final int PILES = 5;
+  private static final int PILES = 7;
 
   /** How long after the last fracture a pile is awake at most, and half of the piles, s. */
   private static final float LONGEST = 60f;
