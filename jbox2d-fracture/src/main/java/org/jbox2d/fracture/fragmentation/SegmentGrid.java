@@ -156,6 +156,10 @@ final class SegmentGrid {
     double high = Math.max(ay, by);
     double slope = (bx - ax) / (by - ay);
     double height = 1 / scaleY;
+    double minX = box[4 * s];
+    double minY = box[4 * s + 1];
+    double maxX = box[4 * s + 2];
+    double maxY = box[4 * s + 3];
     int count = 0;
     for (int r = range[4 * s + 2]; r <= range[4 * s + 3]; r++) {
       double floor = originY + r * height;
@@ -163,16 +167,17 @@ final class SegmentGrid {
       double xHigh = ax + slope * (Math.min(high, floor + height + 2 * margin) - ay);
       int c0 = column(Math.min(xLow, xHigh) - 2 * margin);
       int c1 = column(Math.max(xLow, xHigh) + 2 * margin);
-      count = queryRow(r, c0, c1, s, count);
+      count = queryRow(r, c0, c1, minX, maxX, minY, maxY, count);
     }
     return count;
   }
 
-  private int queryRow(int r, int c0, int c1, int s, int before) {
-    double minX = box[4 * s];
-    double minY = box[4 * s + 1];
-    double maxX = box[4 * s + 2];
-    double maxY = box[4 * s + 3];
+  /**
+   * Adds to the first {@code before} found those segments of the buckets c0 to c1 of a row, which
+   * lie one after the other, whose boxes meet a box; returns how many are found then.
+   */
+  private int queryRow(
+      int r, int c0, int c1, double minX, double maxX, double minY, double maxY, int before) {
     int count = before;
     int end = start[r * side + c1 + 1];
     for (int k = start[r * side + c0]; k < end; k++) {
@@ -226,20 +231,7 @@ final class SegmentGrid {
     int c1 = column(maxX);
     int r1 = row(maxY);
     for (int r = row(minY); r <= r1; r++) {
-      // The buckets of a row lie one after the other.
-      int end = start[r * side + c1 + 1];
-      for (int k = start[r * side + c0]; k < end; k++) {
-        int t = item[k];
-        if (stamp[t] != mark) {
-          stamp[t] = mark;
-          if (box[4 * t + 2] >= minX
-              & box[4 * t] <= maxX
-              & box[4 * t + 3] >= minY
-              & box[4 * t + 1] <= maxY) {
-            found[count++] = t;
-          }
-        }
-      }
+      count = queryRow(r, c0, c1, minX, maxX, minY, maxY, count);
     }
     return count;
   }
