@@ -64,14 +64,38 @@ public final class Arms {
    */
   private static final float BENT_SLOPS = 3f;
 
+  /**
+   * By what factor, and then by how many linear slops, the bend of a path in a step may come to
+   * exceed that of the velocities at its start. The way is far more than forces bring about in a
+   * step, and what a motor does that turns a body up in one; the factor leaves a pinned rod that
+   * turns by more than a radian in a step the path to the post it strikes. With twice of either,
+   * two small bodies that are hinged far outside of both gain energy.
+   */
+  private static final float BEND_RISE = 1.25f;
+
+  /** See {@link #BEND_RISE}. */
+  private static final float NEW_BEND_SLOPS = 0.5f;
+
   private Arms() {}
 
-  /** 1 where the bend of a path is to be followed, 0 where not; arms must be turned. */
-  static float bends(float[] f, int o, float[] x, int a, int b, StepConfig step) {
-    float gx = gapX(f, o, x, a, b);
-    float gy = gapY(f, o, x, a, b);
+  /**
+   * Bound of what {@link #bendX} and {@link #bendY} may come to in the iterations of a step, m/s; 0
+   * where the bend is not to be followed. The bend grows with the square of a spin: on a light body
+   * that is wedged between others, the impulse that a bend asks for may bring about a spin whose
+   * bend is greater than the last, and each iteration would ask for more. Within a bound they
+   * cannot run away; see {@link #mostStretch}. The arms must be turned.
+   */
+  static float mostBend(float[] f, int o, SolverBodies bodies, int a, int b, StepConfig step) {
+    float gx = gapX(f, o, bodies.pos, a, b);
+    float gy = gapY(f, o, bodies.pos, a, b);
     float most = BENT_SLOPS * step.linearSlop;
-    return gx * gx + gy * gy <= most * most ? 1f : 0f;
+    if (gx * gx + gy * gy > most * most) {
+      return 0f;
+    }
+    float bx = bendX(f, o, bodies.vel, a, b, step.dt, step.invDt);
+    float by = bendY(f, o, bodies.vel, a, b, step.dt, step.invDt);
+    float atStart = (float) Math.sqrt(bx * bx + by * by);
+    return BEND_RISE * atStart + NEW_BEND_SLOPS * step.linearSlop * step.invDt;
   }
 
   /** Fills in the block: points relative to the centres of mass, in the bodies' frames, m. */

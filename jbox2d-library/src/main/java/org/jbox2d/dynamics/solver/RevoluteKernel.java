@@ -54,7 +54,7 @@ public final class RevoluteKernel extends JointKernel {
   private static final int UPPER_ROOM = 25;
   private static final int EX = 26;
   private static final int EY = 27;
-  private static final int BENDS = 28;
+  private static final int MOST_BEND = 28;
 
   /**
    * Share of {@code Ktt} below which S is rounding of the difference that it is: the pin does not
@@ -132,7 +132,7 @@ public final class RevoluteKernel extends JointKernel {
       Arms.turn(f, o, bodies.pos, a, b);
       Arms.invert(f, o, o + M11, m, a, b);
       eliminatePoint(f, o, m[a + 1], m[b + 1]);
-      f[o + BENDS] = Arms.bends(f, o, bodies.pos, a, b, step);
+      f[o + MOST_BEND] = Arms.mostBend(f, o, bodies, a, b, step);
 
       float keepLimit = f[o + LIMITED] * keep;
       float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
@@ -180,9 +180,10 @@ public final class RevoluteKernel extends JointKernel {
       }
       float cx = Arms.speedX(f, o, v, a, b);
       float cy = Arms.speedY(f, o, v, a, b);
-      if (f[o + BENDS] > 0f) {
-        cx += Arms.bendX(f, o, v, a, b, h, step.invDt);
-        cy += Arms.bendY(f, o, v, a, b, h, step.invDt);
+      float most = f[o + MOST_BEND];
+      if (most > 0f) {
+        cx += Arms.bounded(Arms.bendX(f, o, v, a, b, h, step.invDt), most);
+        cy += Arms.bounded(Arms.bendY(f, o, v, a, b, h, step.invDt), most);
       }
       float px = -(f[o + M11] * cx + f[o + M12] * cy);
       float py = -(f[o + M12] * cx + f[o + M22] * cy);

@@ -42,7 +42,7 @@ public final class WeldKernel extends JointKernel {
   private static final int ANGLE_MASS = 20;
   private static final int GAMMA = 21;
   private static final int BIAS = 22;
-  private static final int BENDS = 23;
+  private static final int MOST_BEND = 23;
 
   WeldKernel(int order) {
     super(order, IMPULSE_X, 3);
@@ -105,7 +105,7 @@ public final class WeldKernel extends JointKernel {
       int a = SolverBodies.STRIDE * slotA;
       int b = SolverBodies.STRIDE * slotB;
       Arms.turn(f, o, bodies.pos, a, b);
-      f[o + BENDS] = Arms.bends(f, o, bodies.pos, a, b, step);
+      f[o + MOST_BEND] = Arms.mostBend(f, o, bodies, a, b, step);
       float k = m[a + 1] + m[b + 1];
       f[o + GAMMA] = 0f;
       f[o + BIAS] = 0f;
@@ -172,9 +172,10 @@ public final class WeldKernel extends JointKernel {
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
       float cx = Arms.speedX(f, o, v, a, b);
       float cy = Arms.speedY(f, o, v, a, b);
-      if (f[o + BENDS] > 0f) {
-        cx += Arms.bendX(f, o, v, a, b, h, step.invDt);
-        cy += Arms.bendY(f, o, v, a, b, h, step.invDt);
+      float most = f[o + MOST_BEND];
+      if (most > 0f) {
+        cx += Arms.bounded(Arms.bendX(f, o, v, a, b, h, step.invDt), most);
+        cy += Arms.bounded(Arms.bendY(f, o, v, a, b, h, step.invDt), most);
       }
       float cw = v[b + 2] - v[a + 2] + f[o + BIAS] + f[o + GAMMA] * f[o + TURN_IMPULSE];
       float angle = f[o + ANGLE_MASS];

@@ -14,10 +14,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Joints that keep a length, at anchors far outside of small bodies: an impulse along the joint
- * turns such a body so fast that the length changes by more than the impulse takes away. A rigid,
- * frictionless joint does no work, so without forces the energy stays what it was, or falls where a
- * joint is stretched by the throw.
+ * Joints at anchors far outside of small bodies: an impulse of the joint turns such a body so fast
+ * that the length changes, or the path of the anchor bends, by more than the impulse takes away. A
+ * rigid, frictionless joint does no work, so without forces the energy stays what it was, or falls
+ * where a joint is stretched by the throw.
  */
 class FarAnchorTest {
   private static final int CASES = 200;
@@ -32,7 +32,9 @@ class FarAnchorTest {
   enum Kind {
     DISTANCE,
     ROPE,
-    PULLEY
+    PULLEY,
+    REVOLUTE,
+    WELD
   }
 
   @ParameterizedTest
@@ -92,6 +94,14 @@ class FarAnchorTest {
         rope.localAnchorB.set(b.getLocalPoint(atB));
         rope.maxLength = atB.sub(atA).length();
         return rope;
+      case REVOLUTE:
+        RevoluteJointDef revolute = new RevoluteJointDef();
+        revolute.initialize(a, b, atA);
+        return revolute;
+      case WELD:
+        WeldJointDef weld = new WeldJointDef();
+        weld.initialize(a, b, atA);
+        return weld;
       default:
         PulleyJointDef pulley = new PulleyJointDef();
         pulley.initialize(a, b, new Vec2(-1, 5), new Vec2(1, 5), atA, atB, 1.5f);
