@@ -37,7 +37,7 @@ class PileTest {
   /** How long after the last fracture a pile is awake at most, and half of the piles, s. */
   private static final float LONGEST = 60f;
 
-  private static final float MEDIAN = 20f;
+  private static final float MEDIAN = 12f;
 
   @ParameterizedTest
   @MethodSource("solvers")

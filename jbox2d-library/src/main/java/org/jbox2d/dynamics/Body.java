@@ -104,14 +104,10 @@ public class Body {
   /** How long the body has been calm, s. */
   public float m_sleepTime;
 
-  /** Where the body was when the current span of {@link IslandSleep} began, m and rad. */
-  float restX;
+  /** How long it has been still, and how long it has crept at most; see {@link IslandSleep}. */
+  final Rest still = new Rest();
 
-  float restY;
-  float restAngle;
-
-  /** How long it has been still, s. */
-  float stillTime;
+  final Rest creep = new Rest();
 
   /** Whatever the user keeps here. */
   public Object m_userData;
@@ -658,7 +654,8 @@ public class Body {
     m_torque = 0f;
     m_flags |= e_awakeFlag;
     m_sleepTime = 0f;
-    stillTime = 0f;
+    still.time = 0f;
+    creep.time = 0f;
     m_world.awake.enter(this);
     touchProxies();
   }
@@ -723,7 +720,8 @@ public class Body {
     } else {
       m_flags &= ~e_awakeFlag;
       m_sleepTime = 0f;
-      stillTime = 0f;
+      still.time = 0f;
+      creep.time = 0f;
       m_linearVelocity.setZero();
       m_angularVelocity = 0f;
       m_force.setZero();

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.jbox2d.common.Settings;
 
 /**
- * Puts islands to sleep that have come to rest, by either of two signs.
+ * Puts islands to sleep that have come to rest, by any of three signs.
  *
  * <p><b>Calm</b>, as in JBox2D: all bodies have been slow for {@link Settings#timeToSleep}, and the
  * last step ended with all positions within tolerance.
@@ -15,7 +15,14 @@ import org.jbox2d.common.Settings;
  * tolerance for ever; it goes nowhere. Nor can its overlap be resolved, so that the island is never
  * within tolerance. What is driven, a kinematic body, counts as still while it is slow.
  *
- * <p>The span S is chosen so that, but for what trembles on the spot, the two signs agree. A body
+ * <p><b>Still but for a few</b>: all are still except a small share of the bodies and of the mass,
+ * which creep: none of them has gone further in the span than a few times that way. A heap of
+ * hundreds of splinters has always one or two that are squeezed out from under a heavy piece by
+ * millimetres a step, or topple onto the next; each keeps all of the heap awake, and its coming to
+ * rest is nothing to be seen. Being of the island they touch others of it, so nothing stops in the
+ * air.
+ *
+ * <p>The span S is chosen so that, but for what trembles on the spot, calm and still agree. A body
  * of steady speed is either slow or not. One that turns back with an acceleration a is calm for a
  * time T about its turning point if {@code a <= 2 v / T}. It is still if in a span it goes by no
  * more than {@code v S} towards that point, back, and by as much beyond where it began: {@code S =
@@ -32,8 +39,53 @@ final class IslandSleep {
    */
   private static final float JOINTED_SHARE = 0.25f;
 
-  private float[] calm = new float[64];
-  private float[] still = new float[64];
+  /** How many times as far as what is still goes what creeps, at most: 8 cm in two seconds. */
+  private static final float CREEP = 4f;
+
+  /** One in so many bodies of an island may creep, and as much of its mass. */
+  private static final int FEW = 16;
+
+  /** What an island's bodies have come to. */
+  private static final class Sum {
+    float calm;
+    float still;
+    float creep;
+    int bodies;
+    int creeping;
+    float mass;
+    float creepingMass;
+
+    void clear() {
+      calm = Float.MAX_VALUE;
+      still = Float.MAX_VALUE;
+      creep = Float.MAX_VALUE;
+      bodies = 0;
+      creeping = 0;
+      mass = 0f;
+      creepingMass = 0f;
+    }
+
+    void add(Body b, float span) {
+      calm = Math.min(calm, b.m_sleepTime);
+      still = Math.min(still, b.still.time);
+      bodies++;
+      mass += b.m_mass;
+      if (b.still.time < span) {
+        creep = Math.min(creep, b.creep.time);
+        creeping++;
+        creepingMass += b.m_mass;
+      }
+    }
+
+    boolean rests(boolean settled, float time, float span) {
+      return (settled && calm >= time)
+          || still >= span
+          || (creep >= span && FEW * creeping <= bodies && FEW * creepingMass <= mass);
+    }
+  }
+
+  private Sum[] sums = new Sum[0];
+  private boolean[] rests = new boolean[0];
 
   /**
    * Looks at the awake bodies after a step.
@@ -44,27 +96,59 @@ final class IslandSleep {
    * @param dt length of the step, s
    */
   void update(World world, Islands islands, boolean[] settled, int n, float dt) {
-    if (calm.length < islands.count) {
-      calm = new float[islands.count + (islands.count >> 1)];
-      still = new float[calm.length];
-    }
-    Arrays.fill(calm, 0, islands.count, Float.MAX_VALUE);
-    Arrays.fill(still, 0, islands.count, Float.MAX_VALUE);
+    begin(islands.count);
+    float time = Settings.timeToSleep;
+    float span = SPAN * time;
     Body[] awake = world.awake.bodies;
     for (int i = 0; i < n; i++) {
       Body b = awake[i];
-      boolean maySleep = (b.m_flags & Body.e_autoSleepFlag) != 0;
-      b.m_sleepTime = maySleep && isSlow(b) ? b.m_sleepTime + dt : 0f;
-      b.stillTime = maySleep ? stillTime(b, dt) : 0f;
-      int k = islands.islandOf[i];
-      calm[k] = Math.min(calm[k], b.m_sleepTime);
-      still[k] = Math.min(still[k], b.stillTime);
+      look(b, span, dt);
+      sums[islands.islandOf[i]].add(b, span);
     }
-    float time = Settings.timeToSleep;
+    for (int k = 0; k < islands.count; k++) {
+      rests[k] = sums[k].rests(settled[k], time, span);
+    }
     for (int i = n - 1; i >= 0; i--) {
-      int k = islands.islandOf[i];
-      if ((settled[k] && calm[k] >= time) || still[k] >= SPAN * time) {
+      if (rests[islands.islandOf[i]]) {
         world.awake.fallAsleep(awake[i]);
+      }
+    }
+  }
+
+  private void begin(int islands) {
+    int had = sums.length;
+    if (had < islands) {
+      sums = Arrays.copyOf(sums, islands + (islands >> 1));
+      rests = new boolean[sums.length];
+      for (int k = had; k < sums.length; k++) {
+        sums[k] = new Sum();
+      }
+    }
+    for (int k = 0; k < islands; k++) {
+      sums[k].clear();
+    }
+  }
+
+  /** Notes for how long a body has been calm and still, and crept. */
+  private static void look(Body b, float span, float dt) {
+    boolean maySleep = (b.m_flags & Body.e_autoSleepFlag) != 0;
+    boolean slow = maySleep && isSlow(b);
+    b.m_sleepTime = slow ? b.m_sleepTime + dt : 0f;
+    if (!maySleep) {
+      b.still.time = 0f;
+      b.creep.time = 0f;
+    } else if (b.m_type != BodyType.DYNAMIC) {
+      b.still.time = slow ? b.still.time + dt : 0f;
+      b.creep.time = 0f;
+    } else {
+      float way = Settings.linearSleepTolerance * span;
+      float turn = Settings.angularSleepTolerance * span;
+      if (b.m_jointList == null) {
+        b.still.update(b.m_sweep, way, turn, span, dt);
+        b.creep.update(b.m_sweep, CREEP * way, CREEP * turn, span, dt);
+      } else {
+        b.still.update(b.m_sweep, JOINTED_SHARE * way, JOINTED_SHARE * turn, span, dt);
+        b.creep.time = 0f;
       }
     }
   }
@@ -73,30 +157,5 @@ final class IslandSleep {
     float v = Settings.linearSleepTolerance;
     return Math.abs(b.m_angularVelocity) <= Settings.angularSleepTolerance
         && b.m_linearVelocity.lengthSquared() <= v * v;
-  }
-
-  /**
-   * How long a body has been still, s: since when it has never been far from where it was when the
-   * current span began.
-   */
-  private static float stillTime(Body b, float dt) {
-    if (b.m_type != BodyType.DYNAMIC) {
-      return isSlow(b) ? b.stillTime + dt : 0f;
-    }
-    float x = b.m_sweep.c.x - b.restX;
-    float y = b.m_sweep.c.y - b.restY;
-    float angle = Math.abs(b.m_sweep.a - b.restAngle);
-    float span = SPAN * Settings.timeToSleep;
-    float time = b.m_jointList == null ? span : JOINTED_SHARE * span;
-    float way = Settings.linearSleepTolerance * time;
-    float turn = Settings.angularSleepTolerance * time;
-    boolean still = x * x + y * y <= way * way && angle <= turn;
-    float since = still ? b.stillTime + dt : 0f;
-    if (!still || (int) (since / span) > (int) (b.stillTime / span)) {
-      b.restX = b.m_sweep.c.x;
-      b.restY = b.m_sweep.c.y;
-      b.restAngle = b.m_sweep.a;
-    }
-    return since;
   }
 }

@@ -1,8 +1,11 @@
 package org.jbox2d.dynamics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.joints.RopeJointDef;
 import org.junit.jupiter.api.Test;
@@ -49,6 +52,62 @@ class StillnessTest {
     world.createJoint(def);
     assertEquals(5f, trembleUntilAsleep(box, 0.6f, 5));
     assertTrue(trembleUntilAsleep(box, 0.2f, 5) < 2.5f);
+  }
+
+  /** A row of boxes that touch; the first slides along the second, without friction. */
+  private float creepBesideARow(int boxes, float speed, int seconds) {
+    Make.surface(box, 0f, 0f);
+    float apart = 1f + 2f * Settings.polygonRadius - Settings.linearSlop;
+    for (int i = 1; i <= boxes; i++) {
+      Make.box(world, BodyType.DYNAMIC, apart * i, 0f, 0.5f, 0.5f);
+    }
+    for (int i = 0; i < seconds * STEPS_A_SECOND; i++) {
+      box.m_linearVelocity.y = speed;
+      Make.steps(world, 1);
+      if (!box.isAwake()) {
+        return (float) i / STEPS_A_SECOND;
+      }
+    }
+    return seconds;
+  }
+
+  /** A heap sleeps if one of many creeps, as one always does; see {@link IslandSleep}. */
+  @Test
+  void oneThatCreepsAmongManyLetsThemSleep() {
+    assertEquals(2f, creepBesideARow(20, 0.03f, 6), 0.2f);
+    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
+      assertFalse(b.isAwake());
+    }
+  }
+
+  @Test
+  void oneThatCreepsAmongFewKeepsThemAwake() {
+    assertEquals(6f, creepBesideARow(14, 0.03f, 6));
+  }
+
+  @Test
+  void oneThatGoesFasterKeepsManyAwake() {
+    assertEquals(6f, creepBesideARow(20, 0.06f, 6));
+  }
+
+  @Test
+  void oneThatIsHeavyKeepsManyAwake() {
+    MassData mass = new MassData();
+    box.getMassData(mass);
+    mass.mass *= 3f;
+    mass.I *= 3f;
+    box.setMassData(mass);
+    assertEquals(6f, creepBesideARow(20, 0.03f, 6));
+  }
+
+  @Test
+  void oneThatHangsAtAJointAndCreepsKeepsManyAwake() {
+    RopeJointDef def = new RopeJointDef();
+    def.bodyA = Make.body(world, BodyType.STATIC, 0f, 0f);
+    def.bodyB = box;
+    def.maxLength = 10f;
+    world.createJoint(def);
+    assertEquals(6f, creepBesideARow(20, 0.03f, 6));
   }
 
   @Test
