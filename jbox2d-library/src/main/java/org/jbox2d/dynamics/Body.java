@@ -9,7 +9,6 @@ import org.jbox2d.common.Rot;
 import org.jbox2d.common.Sweep;
 import org.jbox2d.common.Transform;
 import org.jbox2d.common.Vec2;
-import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.joints.JointEdge;
 
@@ -212,10 +211,9 @@ public class Body {
    * @throws IllegalArgumentException if the fixture is not of this body
    */
   public final void destroyFixture(Fixture fixture) {
-    checkOwn(fixture);
+    BodyFixtures.checkOwn(this, fixture);
     checkChangeable("destroyFixture");
-    BodyFixtures.destroy(this, fixture);
-    resetMassUnlessDestroyed();
+    BodyFixtures.remove(this, fixture);
   }
 
   /**
@@ -228,28 +226,10 @@ public class Body {
   public final void destroyFixtures(List<Fixture> fixtures) {
     Checks.notNull(fixtures, "fixtures");
     for (Fixture fixture : fixtures) {
-      checkOwn(fixture);
+      BodyFixtures.checkOwn(this, fixture);
     }
     checkChangeable("destroyFixtures");
-    try {
-      BodyFixtures.destroyAll(this, fixtures);
-    } finally {
-      resetMassUnlessDestroyed();
-    }
-  }
-
-  /** A listener may have destroyed the body. */
-  private void resetMassUnlessDestroyed() {
-    if (m_world != null) {
-      resetMassData();
-    }
-  }
-
-  private void checkOwn(Fixture fixture) {
-    Checks.notNull(fixture, "fixture");
-    if (fixture.m_body != this) {
-      throw new IllegalArgumentException("fixture is not of this body, or was destroyed before");
-    }
+    BodyFixtures.removeAll(this, fixtures);
   }
 
   /** Throws if the body is of no world any more, or the world is locked. */
@@ -258,17 +238,6 @@ public class Body {
       throw new IllegalStateException(call + " on a body that was destroyed");
     }
     m_world.checkUnlocked(call);
-  }
-
-  void destroyContactsOf(Fixture fixture) {
-    ContactEdge edge = m_contactList;
-    while (edge != null) {
-      Contact c = edge.contact;
-      edge = edge.next;
-      if (fixture == null || c.m_fixtureA == fixture || c.m_fixtureB == fixture) {
-        m_world.m_contactManager.destroy(c);
-      }
-    }
   }
 
   // --- Position ---
@@ -283,38 +252,7 @@ public class Body {
     checkChangeable("setTransform");
     Checks.finite(position, "position");
     Checks.finite(angle, "angle");
-    if (m_xf.p.x != position.x || m_xf.p.y != position.y || m_sweep.a != angle) {
-      disturbContacts(null);
-    }
-    m_xf.set(position, angle);
-    Transform.mulToOutUnsafe(m_xf, m_sweep.localCenter, m_sweep.c);
-    m_sweep.a = angle;
-    m_sweep.c0.set(m_sweep.c);
-    m_sweep.a0 = angle;
-    m_xf0.set(m_xf);
-    BroadPhase broadPhase = m_world.m_contactManager.m_broadPhase;
-    for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
-      f.synchronize(broadPhase, m_xf, m_xf);
-    }
-    m_world.lookForPairs();
-  }
-
-  /**
-   * Has contacts looked at in the next step though nobody in them may be awake, and wakes the
-   * bodies that touch.
-   *
-   * @param fixture whose contacts; {@code null}: all of the body's
-   */
-  void disturbContacts(Fixture fixture) {
-    for (ContactEdge edge = m_contactList; edge != null; edge = edge.next) {
-      Contact c = edge.contact;
-      if (fixture == null || c.m_fixtureA == fixture || c.m_fixtureB == fixture) {
-        m_world.m_contactManager.activateStray(c);
-        if (c.isTouching() && !c.m_fixtureA.m_isSensor && !c.m_fixtureB.m_isSensor) {
-          edge.other.setAwake(true);
-        }
-      }
-    }
+    BodyChanges.place(this, position, angle);
   }
 
   /** Returns the transform of the body's origin, the same object each time. */
@@ -636,39 +574,9 @@ public class Body {
   public void setType(BodyType type) {
     checkChangeable("setType");
     Checks.notNull(type, "type");
-    if (m_type == type) {
-      return;
+    if (type != m_type) {
+      BodyChanges.become(this, type);
     }
-    destroyContactsOf(null);
-    m_world.awake.remove(this);
-    m_type = type;
-    resetMassData();
-    if (type == BodyType.STATIC) {
-      m_linearVelocity.setZero();
-      m_angularVelocity = 0f;
-      m_sweep.a0 = m_sweep.a;
-      m_sweep.c0.set(m_sweep.c);
-      m_xf0.set(m_xf);
-    }
-    m_force.setZero();
-    m_torque = 0f;
-    m_flags |= e_awakeFlag;
-    m_sleepTime = 0f;
-    still.time = 0f;
-    creep.time = 0f;
-    m_world.awake.enter(this);
-    touchProxies();
-  }
-
-  /** Lets the next step pair this body's proxies as if they were new. */
-  void touchProxies() {
-    BroadPhase broadPhase = m_world.m_contactManager.m_broadPhase;
-    for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
-      for (int i = 0; i < f.m_proxyCount; i++) {
-        broadPhase.touchProxy(f.m_proxies[i].proxyId);
-      }
-    }
-    m_world.lookForPairs();
   }
 
   /** Returns whether continuous collision also guards this body against other moving bodies. */
@@ -681,9 +589,7 @@ public class Body {
     boolean was = isObstacle();
     m_flags = flag ? m_flags | e_bulletFlag : m_flags & ~e_bulletFlag;
     if (isObstacle() != was) {
-      for (ContactEdge edge = m_contactList; edge != null; edge = edge.next) {
-        edge.other.obstacles += was ? -1 : 1;
-      }
+      BodyContacts.countObstacle(this, !was);
     }
   }
 
@@ -719,9 +625,7 @@ public class Body {
       }
     } else {
       m_flags &= ~e_awakeFlag;
-      m_sleepTime = 0f;
-      still.time = 0f;
-      creep.time = 0f;
+      restart();
       m_linearVelocity.setZero();
       m_angularVelocity = 0f;
       m_force.setZero();
@@ -730,6 +634,13 @@ public class Body {
         m_world.awake.leave(this, m_world.isLocked());
       }
     }
+  }
+
+  /** Counts its time of rest from now on. */
+  final void restart() {
+    m_sleepTime = 0f;
+    still.time = 0f;
+    creep.time = 0f;
   }
 
   /** Returns whether the body is awake. */
@@ -748,25 +659,10 @@ public class Body {
     if (flag == isActive()) {
       return;
     }
-    BroadPhase broadPhase = m_world.m_contactManager.m_broadPhase;
     if (flag) {
-      m_flags |= e_activeFlag;
-      for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
-        f.createProxies(broadPhase, m_xf);
-      }
-      if (isAwake()) {
-        m_world.awake.enter(this);
-      }
-      m_world.lookForPairs();
+      BodyChanges.activate(this);
     } else {
-      m_flags &= ~e_activeFlag;
-      m_force.setZero();
-      m_torque = 0f;
-      destroyContactsOf(null);
-      for (Fixture f = m_fixtureList; f != null; f = f.m_next) {
-        f.destroyProxies(broadPhase);
-      }
-      m_world.awake.remove(this);
+      BodyChanges.deactivate(this);
     }
   }
 

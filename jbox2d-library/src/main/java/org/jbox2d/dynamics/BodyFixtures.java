@@ -67,10 +67,40 @@ final class BodyFixtures {
     return fixture;
   }
 
+  /** Throws if the fixture is not of the body. */
+  static void checkOwn(Body body, Fixture fixture) {
+    Checks.notNull(fixture, "fixture");
+    if (fixture.m_body != body) {
+      throw new IllegalArgumentException("fixture is not of this body, or was destroyed before");
+    }
+  }
+
+  /** Removes a fixture and computes the mass anew. */
+  static void remove(Body body, Fixture fixture) {
+    destroy(body, fixture);
+    resetMassUnlessDestroyed(body);
+  }
+
+  /** Removes fixtures and computes the mass anew, whatever a listener throws. */
+  static void removeAll(Body body, List<Fixture> fixtures) {
+    try {
+      destroyAll(body, fixtures);
+    } finally {
+      resetMassUnlessDestroyed(body);
+    }
+  }
+
+  /** A listener may have destroyed the body. */
+  private static void resetMassUnlessDestroyed(Body body) {
+    if (body.m_world != null) {
+      body.resetMassData();
+    }
+  }
+
   /** Removes a fixture, unless a listener has done so meanwhile; does not compute the mass anew. */
-  static void destroy(Body body, Fixture fixture) {
+  private static void destroy(Body body, Fixture fixture) {
     // Contacts first: they call the listener, which may throw, or destroy fixture or body itself.
-    body.destroyContactsOf(fixture);
+    BodyContacts.destroy(body, fixture);
     if (fixture.m_body != body || body.m_world == null) {
       return;
     }
@@ -87,7 +117,7 @@ final class BodyFixtures {
   }
 
   /** As {@link #destroy} of each. */
-  static void destroyAll(Body body, List<Fixture> fixtures) {
+  private static void destroyAll(Body body, List<Fixture> fixtures) {
     if (body.m_world.m_contactManager.m_contactListener == null) {
       destroyContacts(body, fixtures);
     }

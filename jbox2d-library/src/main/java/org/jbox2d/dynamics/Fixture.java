@@ -126,7 +126,7 @@ public class Fixture {
     if (sensor != m_isSensor) {
       if (m_body != null) {
         m_body.setAwake(true);
-        m_body.disturbContacts(this);
+        BodyContacts.disturb(m_body, this);
       }
       m_isSensor = sensor;
       // Within a step it takes effect at once.

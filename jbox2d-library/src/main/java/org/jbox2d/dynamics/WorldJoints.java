@@ -75,8 +75,8 @@ final class WorldJoints {
     count--;
     if (!joint.getCollideConnected()) {
       // Their bounds may overlap already, and must be met as if new.
-      a.touchProxies();
-      b.touchProxies();
+      BodyContacts.touchProxies(a);
+      BodyContacts.touchProxies(b);
     }
   }
 
