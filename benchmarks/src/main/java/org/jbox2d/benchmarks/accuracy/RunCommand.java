@@ -30,6 +30,11 @@ final class RunCommand implements Callable<Integer> {
   @Option(names = "--repeats", description = "Timed runs of each; the shortest counts.")
   private int repeats = 3;
 
+  @Option(
+      names = "--warm",
+      description = "Rounds through all scenes before the first that is timed.")
+  private int rounds = 8;
+
   @Option(names = "--standard", description = "60 Hz and 8/3 or 4 substeps alone.")
   private boolean standard;
 
@@ -41,7 +46,9 @@ final class RunCommand implements Callable<Integer> {
     List<Scene> all = new ArrayList<>(Suite.common());
     all.addAll(Suite.fracture());
     all.removeIf(scene -> !scene.name().matches(scenes));
-    warm(all, chosen);
+    for (int i = 0; i < rounds; i++) {
+      warm(all, chosen);
+    }
     Results results = new Results();
     for (Scene scene : all) {
       for (Contender solver : chosen) {
@@ -65,7 +72,11 @@ final class RunCommand implements Callable<Integer> {
     return 0;
   }
 
-  /** Once through everything, so that the compiler has seen each engine before the first time. */
+  /**
+   * Once through everything. After one round much of what a step does in a scene of one or two
+   * bodies, some thousand steps in all, is still run by the quick compiler's code, at three times
+   * its time; after eight the times have settled.
+   */
   private static void warm(List<Scene> all, List<Contender> chosen) {
     for (Scene scene : all) {
       for (Contender solver : chosen) {
