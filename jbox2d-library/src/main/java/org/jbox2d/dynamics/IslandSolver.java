@@ -224,6 +224,7 @@ final class IslandSolver {
       for (int k = 0; k < joint.bodyCount(); k++) {
         slotOf(joint.body(k));
       }
+      joints.masses = bodies.mass;
       joint.gather(joints);
     }
   }

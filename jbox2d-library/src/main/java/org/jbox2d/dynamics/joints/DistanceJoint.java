@@ -124,7 +124,7 @@ public class DistanceJoint extends Joint {
             m_bodyA.m_islandIndex,
             m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
-    JointGather.arms(rows.f, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
     JointGather.velocities(rows.f, o + DistanceKernel.BEFORE, m_bodyA, m_bodyB);
     float held = Math.max(length, Settings.linearSlop);
     DistanceKernel.write(rows.f, o, held, frequencyHz, dampingRatio, impulse);

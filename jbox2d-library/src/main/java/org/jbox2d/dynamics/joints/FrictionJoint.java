@@ -102,7 +102,7 @@ public class FrictionJoint extends Joint {
         rows.add(
             JointKernels.DRIVE, DriveKernel.FLOATS, m_bodyA.m_islandIndex, m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
-    JointGather.arms(rows.f, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
     DriveKernel.writeDrive(rows.f, o, 0f, maxForce, maxTorque, 0f);
     DriveKernel.writeImpulses(rows.f, o, impulseX, impulseY, turnImpulse);
     return row;

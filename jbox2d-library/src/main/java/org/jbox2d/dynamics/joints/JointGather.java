@@ -3,22 +3,28 @@ package org.jbox2d.dynamics.joints;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.solver.Arms;
+import org.jbox2d.dynamics.solver.JointRows;
+import org.jbox2d.dynamics.solver.SolverBodies;
 
 /** What the joints have in common when they write their rows. */
 final class JointGather {
   private JointGather() {}
 
-  /** Writes the points relative to the centres of mass. */
-  static void arms(float[] f, int o, Body a, Vec2 localA, Body b, Vec2 localB) {
-    Vec2 centreA = a.m_sweep.localCenter;
-    Vec2 centreB = b.m_sweep.localCenter;
+  /**
+   * Writes the points relative to the centres of mass, which are read from the slots of the bodies:
+   * in a body they lie two objects further.
+   */
+  static void arms(JointRows rows, int o, Body a, Vec2 localA, Body b, Vec2 localB) {
+    float[] centre = rows.masses;
+    int oA = SolverBodies.STRIDE * a.m_islandIndex + 2;
+    int oB = SolverBodies.STRIDE * b.m_islandIndex + 2;
     Arms.write(
-        f,
+        rows.f,
         o,
-        localA.x - centreA.x,
-        localA.y - centreA.y,
-        localB.x - centreB.x,
-        localB.y - centreB.y);
+        localA.x - centre[oA],
+        localA.y - centre[oA + 1],
+        localB.x - centre[oB],
+        localB.y - centre[oB + 1]);
   }
 
   /**

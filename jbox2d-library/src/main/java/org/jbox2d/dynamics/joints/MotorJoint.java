@@ -142,7 +142,7 @@ public class MotorJoint extends Joint {
         rows.add(
             JointKernels.DRIVE, DriveKernel.FLOATS, m_bodyA.m_islandIndex, m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
-    JointGather.arms(rows.f, o, m_bodyA, linearOffset, m_bodyB, localOrigin);
+    JointGather.arms(rows, o, m_bodyA, linearOffset, m_bodyB, localOrigin);
     DriveKernel.writeDrive(rows.f, o, angularOffset, maxForce, maxTorque, correctionFactor);
     DriveKernel.writeImpulses(rows.f, o, impulseX, impulseY, turnImpulse);
     return row;

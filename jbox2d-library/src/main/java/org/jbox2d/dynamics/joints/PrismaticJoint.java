@@ -217,7 +217,7 @@ public class PrismaticJoint extends Joint {
             m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
     float[] f = rows.f;
-    JointGather.arms(f, o, m_bodyA, m_localAnchorA, m_bodyB, m_localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, m_localAnchorA, m_bodyB, m_localAnchorB);
     PrismaticKernel.writeAxis(f, o, m_localXAxisA.x, m_localXAxisA.y, m_referenceAngle);
     PrismaticKernel.writeLimit(f, o, limited, lower, upper);
     PrismaticKernel.writeMotor(f, o, driven, speed, maxForce);

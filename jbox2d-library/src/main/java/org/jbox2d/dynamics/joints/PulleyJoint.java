@@ -141,7 +141,7 @@ public class PulleyJoint extends Joint {
         rows.add(
             JointKernels.PULLEY, PulleyKernel.FLOATS, m_bodyA.m_islandIndex, m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
-    JointGather.arms(rows.f, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
     PulleyKernel.writeGround(
         rows.f, o, groundAnchorA.x, groundAnchorA.y, groundAnchorB.x, groundAnchorB.y);
     PulleyKernel.writeRope(rows.f, o, ratio, lengthA + ratio * lengthB, impulse);

@@ -201,7 +201,7 @@ public class RevoluteJoint extends Joint {
             m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
     float[] f = rows.f;
-    JointGather.arms(f, o, m_bodyA, m_localAnchorA, m_bodyB, m_localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, m_localAnchorA, m_bodyB, m_localAnchorB);
     RevoluteKernel.writeLimit(f, o, m_referenceAngle, limited, lower, upper);
     RevoluteKernel.writeMotor(f, o, driven, speed, maxTorque);
     RevoluteKernel.writeImpulses(

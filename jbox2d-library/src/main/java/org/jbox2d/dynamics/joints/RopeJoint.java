@@ -93,7 +93,7 @@ public class RopeJoint extends Joint {
         rows.add(
             JointKernels.ROPE, RopeKernel.FLOATS, m_bodyA.m_islandIndex, m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
-    JointGather.arms(rows.f, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
     RopeKernel.write(rows.f, o, Math.max(maxLength, Settings.linearSlop), impulse);
     return row;
   }

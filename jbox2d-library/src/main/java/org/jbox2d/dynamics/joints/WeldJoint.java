@@ -107,7 +107,7 @@ public class WeldJoint extends Joint {
         rows.add(
             JointKernels.WELD, WeldKernel.FLOATS, m_bodyA.m_islandIndex, m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
-    JointGather.arms(rows.f, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
     float spin = m_bodyB.m_angularVelocity - m_bodyA.m_angularVelocity;
     WeldKernel.writeAngle(rows.f, o, referenceAngle, frequencyHz, dampingRatio, spin);
     WeldKernel.writeImpulses(rows.f, o, impulseX, impulseY, turnImpulse);

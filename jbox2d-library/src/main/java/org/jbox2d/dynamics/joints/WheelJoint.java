@@ -176,7 +176,7 @@ public class WheelJoint extends Joint {
             JointKernels.WHEEL, WheelKernel.FLOATS, m_bodyA.m_islandIndex, m_bodyB.m_islandIndex);
     int o = rows.floatAt[row];
     float[] f = rows.f;
-    JointGather.arms(f, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
+    JointGather.arms(rows, o, m_bodyA, localAnchorA, m_bodyB, localAnchorB);
     JointGather.velocities(f, o + WheelKernel.BEFORE, m_bodyA, m_bodyB);
     WheelKernel.writeSpring(f, o, localAxisA.x, localAxisA.y, frequencyHz, dampingRatio);
     WheelKernel.writeMotor(f, o, driven, speed, maxTorque);

@@ -200,17 +200,20 @@ public final class Arms {
   }
 
   /** Turns above a quarter count as a quarter, so that no spin, however fast, makes it run away. */
-  private static float turn(float t) {
-    return Math.max(-LARGEST_TURN, Math.min(LARGEST_TURN, t));
+  static float turn(float t) {
+    if (t > LARGEST_TURN) {
+      return LARGEST_TURN;
+    }
+    return t < -LARGEST_TURN ? -LARGEST_TURN : t;
   }
 
   /** {@code 1 - cos t} by its Taylor series; 2 % short at a quarter turn. */
-  private static float versine(float t) {
+  static float versine(float t) {
     return t * t * (0.5f - t * t * (1f / 24f));
   }
 
   /** {@code t - sin t} by its Taylor series; 1 % short at a quarter turn. */
-  private static float lag(float t) {
+  static float lag(float t) {
     return t * t * t * (1f / 6f - t * t * (1f / 120f));
   }
 
@@ -335,29 +338,6 @@ public final class Arms {
     float turnA = m[a + 1] * (f[o + RAX] * py - f[o + RAY] * px + turn);
     float turnB = m[b + 1] * (f[o + RBX] * py - f[o + RBY] * px + turn);
     return share(Math.max(Math.abs(turnA), Math.abs(turnB)), most);
-  }
-
-  /**
-   * One Newton step towards coincident points.
-   *
-   * @param most largest turn, rad
-   * @param scratch place of three floats of the row that may be overwritten
-   * @return the distance of the points before it, m
-   */
-  static float join(
-      float[] f, int o, int scratch, SolverBodies bodies, int slotA, int slotB, float most) {
-    int a = SolverBodies.STRIDE * slotA;
-    int b = SolverBodies.STRIDE * slotB;
-    turn(f, o, bodies.pos, a, b);
-    float cx = gapX(f, o, bodies.pos, a, b);
-    float cy = gapY(f, o, bodies.pos, a, b);
-    float[] m = bodies.mass;
-    invert(f, o, scratch, m, a, b);
-    float px = -(f[scratch] * cx + f[scratch + 1] * cy);
-    float py = -(f[scratch + 1] * cx + f[scratch + 2] * cy);
-    float share = turnShare(f, o, m, a, b, px, py, 0f, most);
-    shift(f, o, bodies, slotA, slotB, share * px, share * py, 0f);
-    return (float) Math.sqrt(cx * cx + cy * cy);
   }
 
   /**

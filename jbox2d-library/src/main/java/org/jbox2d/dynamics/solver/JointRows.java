@@ -25,6 +25,10 @@ public final class JointRows {
   public int[] bodyCount = new int[0];
 
   public float[] f = new float[0];
+
+  /** {@link SolverBodies#mass}, with the slots of the bodies of the row that is being added. */
+  public float[] masses;
+
   public int[] bodies = new int[0];
   private int floats;
   private int slots;

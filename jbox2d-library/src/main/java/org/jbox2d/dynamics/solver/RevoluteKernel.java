@@ -82,14 +82,17 @@ public final class RevoluteKernel extends JointKernel {
     f[o + MAX_TORQUE] = maxTorque;
   }
 
-  /** Fills in the impulses kept from the last step. */
+  /**
+   * Fills in the impulses kept from the last step, once limit and motor have been; of one that is
+   * off none is kept.
+   */
   public static void writeImpulses(
       float[] f, int o, float x, float y, float motor, float lower, float upper) {
     f[o + IMPULSE_X] = x;
     f[o + IMPULSE_Y] = y;
-    f[o + MOTOR_IMPULSE] = motor;
-    f[o + LOWER_IMPULSE] = lower;
-    f[o + UPPER_IMPULSE] = upper;
+    f[o + MOTOR_IMPULSE] = f[o + DRIVEN] * motor;
+    f[o + LOWER_IMPULSE] = f[o + LIMITED] * lower;
+    f[o + UPPER_IMPULSE] = f[o + LIMITED] * upper;
   }
 
   /** Returns the impulse on body B along x, N s. */
@@ -131,22 +134,28 @@ public final class RevoluteKernel extends JointKernel {
       int b = SolverBodies.STRIDE * slotB;
       Arms.turn(f, o, bodies.pos, a, b);
       Arms.invert(f, o, o + M11, m, a, b);
-      eliminatePoint(f, o, m[a + 1], m[b + 1]);
       f[o + MOST_BEND] = Arms.mostBend(f, o, bodies, a, b, step);
-
-      float keepLimit = f[o + LIMITED] * keep;
-      float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
-      f[o + LOWER_ROOM] = Math.max(0f, angle - f[o + LOWER]) * step.invDt;
-      f[o + UPPER_ROOM] = Math.max(0f, f[o + UPPER] - angle) * step.invDt;
-
-      f[o + MOTOR_IMPULSE] *= f[o + DRIVEN] * keep;
-      f[o + LOWER_IMPULSE] *= keepLimit;
-      f[o + UPPER_IMPULSE] *= keepLimit;
+      float axial = 0f;
+      if (f[o + DRIVEN] + f[o + LIMITED] > 0f) {
+        eliminatePoint(f, o, m[a + 1], m[b + 1]);
+        float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
+        axial = prepareAngle(f, o, angle, keep, step.invDt);
+      }
       f[o + IMPULSE_X] *= keep;
       f[o + IMPULSE_Y] *= keep;
-      float axial = f[o + MOTOR_IMPULSE] + f[o + LOWER_IMPULSE] - f[o + UPPER_IMPULSE];
       Arms.push(f, o, v, m, a, b, f[o + IMPULSE_X], f[o + IMPULSE_Y], axial);
     }
+  }
+
+  /** Returns the angular impulse that motor and limits keep. */
+  private static float prepareAngle(float[] f, int o, float angle, float keep, float invH) {
+    float keepLimit = f[o + LIMITED] * keep;
+    f[o + LOWER_ROOM] = Math.max(0f, angle - f[o + LOWER]) * invH;
+    f[o + UPPER_ROOM] = Math.max(0f, f[o + UPPER] - angle) * invH;
+    f[o + MOTOR_IMPULSE] *= f[o + DRIVEN] * keep;
+    f[o + LOWER_IMPULSE] *= keepLimit;
+    f[o + UPPER_IMPULSE] *= keepLimit;
+    return f[o + MOTOR_IMPULSE] + f[o + LOWER_IMPULSE] - f[o + UPPER_IMPULSE];
   }
 
   private static void eliminatePoint(float[] f, int o, float iA, float iB) {
@@ -178,18 +187,7 @@ public final class RevoluteKernel extends JointKernel {
         f[o + IMPULSE_Y] += alongY;
         Arms.push(f, o, v, m, a, b, alongX, alongY, turn);
       }
-      float cx = Arms.speedX(f, o, v, a, b);
-      float cy = Arms.speedY(f, o, v, a, b);
-      float most = f[o + MOST_BEND];
-      if (most > 0f) {
-        cx += Arms.bounded(Arms.bendX(f, o, v, a, b, h, step.invDt), most);
-        cy += Arms.bounded(Arms.bendY(f, o, v, a, b, h, step.invDt), most);
-      }
-      float px = -(f[o + M11] * cx + f[o + M12] * cy);
-      float py = -(f[o + M12] * cx + f[o + M22] * cy);
-      f[o + IMPULSE_X] += px;
-      f[o + IMPULSE_Y] += py;
-      Arms.push(f, o, v, m, a, b, px, py, 0f);
+      PinKernel.solveVelocity(f, o, o + M11, o + IMPULSE_X, f[o + MOST_BEND], v, m, a, b, step);
     }
   }
 
@@ -237,8 +235,8 @@ public final class RevoluteKernel extends JointKernel {
         Arms.move(bodies, slotB, 0f, 0f, m[SolverBodies.STRIDE * slotB + 1] * p);
         done &= Math.abs(c) <= step.angularSlop;
       }
-      float error = Arms.join(f, o, o + M11, bodies, slotA, slotB, step.maxAngularCorrection);
-      done &= error <= step.linearSlop;
+      float gap2 = PinKernel.join(f, o, bodies, slotA, slotB, step.maxAngularCorrection);
+      done &= gap2 <= step.linearSlop * step.linearSlop;
     }
     return done;
   }

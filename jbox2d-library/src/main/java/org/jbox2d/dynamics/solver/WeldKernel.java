@@ -202,7 +202,8 @@ public final class WeldKernel extends JointKernel {
       int slotB = rows.bodies[rows.bodyAt[r] + 1];
       float most = step.maxAngularCorrection;
       if (f[o + FREQUENCY] > 0f) {
-        done &= Arms.join(f, o, o + M11, bodies, slotA, slotB, most) <= step.linearSlop;
+        float gap2 = PinKernel.join(f, o, bodies, slotA, slotB, most);
+        done &= gap2 <= step.linearSlop * step.linearSlop;
       } else {
         done &= mend(f, o, bodies, slotA, slotB, step);
       }
