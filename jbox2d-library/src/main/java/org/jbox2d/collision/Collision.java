@@ -106,7 +106,33 @@ public class Collision {
   /** Writes the manifold of two polygons. */
   public final void collidePolygons(
       Manifold manifold, PolygonShape polyA, Transform xfA, PolygonShape polyB, Transform xfB) {
-    polygons.collide(manifold, polyA, xfA, polyB, xfB);
+    polygons.collide(manifold, polyA, xfA, polyB, xfB, 0);
+  }
+
+  /**
+   * Engine-internal: as {@link #collidePolygons(Manifold, PolygonShape, Transform, PolygonShape,
+   * Transform)}, but begins to search where the last call for the pair ended.
+   *
+   * @param guess what that call returned, or 0
+   * @return the same for the next call
+   * @see #separationOfPolygons
+   */
+  public final int collidePolygons(
+      Manifold manifold,
+      PolygonShape polyA,
+      Transform xfA,
+      PolygonShape polyB,
+      Transform xfB,
+      int guess) {
+    return polygons.collide(manifold, polyA, xfA, polyB, xfB, guess);
+  }
+
+  /**
+   * Engine-internal: by how much the outlines of the last two polygons are apart at least, without
+   * their skins, m; negative if they overlap.
+   */
+  public final float separationOfPolygons() {
+    return polygons.separation;
   }
 
   /**

@@ -216,7 +216,7 @@ public class ContactManager implements PairCallback, KnownPairs {
    * Updates every contact that has an awake body: filters, drops it if the bounds have parted,
    * computes the manifold. A contact that does not touch and whose tight boxes are apart stays as
    * it is: most of the contacts of a pile, for which nothing but the contact itself and the boxes
-   * is read.
+   * is read. Bounds hold the tight boxes, so those that are near have not parted.
    */
   public void collide() {
     // Far above the rounding of the boxes and of the narrow phase, so that nothing that touches is
@@ -226,13 +226,13 @@ public class ContactManager implements PairCallback, KnownPairs {
     int i = 0;
     while (i < activeCount) {
       Contact c = active[i];
-      if (!mayPersist(c)) {
+      boolean near = m_broadPhase.testTightOverlap(c.m_proxyA, c.m_proxyB, slop);
+      if ((!near || (c.m_flags & Contact.FILTER_FLAG) != 0) && !mayPersist(c)) {
         // The last active contact takes this place.
         destroy(c);
         continue;
       }
-      if ((c.m_flags & mask) != Contact.ENABLED_FLAG
-          || m_broadPhase.testTightOverlap(c.m_proxyA, c.m_proxyB, slop)) {
+      if (near || (c.m_flags & mask) != Contact.ENABLED_FLAG) {
         c.update(m_contactListener);
       }
       i++;

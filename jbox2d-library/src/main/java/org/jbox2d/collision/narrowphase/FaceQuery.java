@@ -15,10 +15,11 @@ import org.jbox2d.common.Vec2;
  * 2005, section 5.2.1).
  *
  * <p>Since the mean c of the w_j lies in their hull, s_i is at most n_i . (c - v_i), which costs
- * one product instead of one for each vertex. The face with the greatest bound is measured first,
- * and of the others only those whose bound exceeds the best separation so far. For two boxes at
- * rest that leaves one or two of four faces. Instead of moving vertices, the normal is turned into
- * the other polygon's frame, where the support is taken from its own vertices.
+ * one product instead of one for each vertex. The face that was best in the step before is measured
+ * first, and of the others only those whose bound reaches the best separation so far. For two boxes
+ * at rest that leaves one or two of four faces; for polygons apart, often the first ends the
+ * search. Instead of moving vertices, the normal is turned into the other polygon's frame, where
+ * the support is taken from its own vertices.
  *
  * <p>An instance only carries the two results out of {@link #run}.
  */
@@ -45,54 +46,72 @@ public final class FaceQuery {
    */
   public void run(
       PolygonShape polygon, PolygonShape other, float c, float s, float tx, float ty, float limit) {
+    run(polygon, other, c, s, tx, ty, limit, 0);
+  }
+
+  /**
+   * As above.
+   *
+   * @param guess the face that is likely the best, as it was in the last step. It is measured
+   *     first; the better it is, the less is left to be measured. The answer does not depend on it,
+   *     unless the limit is exceeded: of faces that separate equally it is that of the least index
+   */
+  public void run(
+      PolygonShape polygon,
+      PolygonShape other,
+      float c,
+      float s,
+      float tx,
+      float ty,
+      float limit,
+      int guess) {
     Vec2[] v = polygon.m_vertices;
     Vec2[] n = polygon.m_normals;
     int count = polygon.m_count;
     Vec2[] w = other.m_vertices;
     int otherCount = other.m_count;
-
-    float sumX = 0f;
-    float sumY = 0f;
-    int j = 0;
-    if (otherCount >= UNROLLED) {
-      sumX = (w[0].x + w[1].x) + (w[2].x + w[3].x);
-      sumY = (w[0].y + w[1].y) + (w[2].y + w[3].y);
-      j = UNROLLED;
-    }
-    for (; j < otherCount; j++) {
-      sumX += w[j].x;
-      sumY += w[j].y;
-    }
-    float share = 1f / otherCount;
-    float meanX = sumX * share;
-    float meanY = sumY * share;
-    float cx = c * meanX - s * meanY + tx;
-    float cy = s * meanX + c * meanY + ty;
-
-    float highest = Float.NEGATIVE_INFINITY;
-    int first = 0;
-    for (int i = 0; i < count; i++) {
-      float bound = n[i].x * (cx - v[i].x) + n[i].y * (cy - v[i].y);
-      if (bound > highest) {
-        highest = bound;
-        first = i;
-      }
-    }
-
+    int first = guess < count ? guess : 0;
     float best = measure(n[first], v[first], w, otherCount, c, s, tx, ty);
     int bestFace = first;
-    for (int i = 0; i < count && best <= limit; i++) {
-      float bound = n[i].x * (cx - v[i].x) + n[i].y * (cy - v[i].y);
-      if (bound > best && i != first) {
-        float exact = measure(n[i], v[i], w, otherCount, c, s, tx, ty);
-        if (exact > best) {
-          best = exact;
-          bestFace = i;
+    if (best <= limit) {
+      float sumX = 0f;
+      float sumY = 0f;
+      int j = 0;
+      if (otherCount >= UNROLLED) {
+        sumX = (w[0].x + w[1].x) + (w[2].x + w[3].x);
+        sumY = (w[0].y + w[1].y) + (w[2].y + w[3].y);
+        j = UNROLLED;
+      }
+      for (; j < otherCount; j++) {
+        sumX += w[j].x;
+        sumY += w[j].y;
+      }
+      float share = 1f / otherCount;
+      float meanX = sumX * share;
+      float meanY = sumY * share;
+      float cx = c * meanX - s * meanY + tx;
+      float cy = s * meanX + c * meanY + ty;
+      for (int i = 0; i < count && best <= limit; i++) {
+        float bound = n[i].x * (cx - v[i].x) + n[i].y * (cy - v[i].y);
+        if (bound >= best && i != first) {
+          float exact = measure(n[i], v[i], w, otherCount, c, s, tx, ty);
+          if (exact > best || (exact == best && i < bestFace)) {
+            best = exact;
+            bestFace = i;
+          }
         }
       }
     }
     separation = best;
     face = bestFace;
+  }
+
+  /** The separation of one face of {@code polygon}, as {@link #run} computes it. */
+  static float measure(
+      PolygonShape polygon, int face, PolygonShape other, float c, float s, float tx, float ty) {
+    Vec2 n = polygon.m_normals[face];
+    Vec2 v = polygon.m_vertices[face];
+    return measure(n, v, other.m_vertices, other.m_count, c, s, tx, ty);
   }
 
   /** The separation of a single face: the least n . (R w_j + t - v). */

@@ -93,14 +93,14 @@ public final class PartPolygons {
     place(a, xfA, b, xfB);
     rate(a, b);
     if (acrossA == null && acrossB == null) {
-      polygons.collide(manifold, a, xfA, b, xfB);
+      polygons.collide(manifold, a, xfA, b, xfB, 0);
       return;
     }
     manifold.pointCount = 0;
     // Beyond an inner edge there is the next part, or what is nearest is a vertex of the outline
     // that it has as well.
     if (separation <= 0f && isLast(a, b) && !buildOnOutline(manifold, a, xfA, b, xfB)) {
-      polygons.collide(manifold, a, xfA, b, xfB);
+      polygons.collide(manifold, a, xfA, b, xfB, 0);
     }
     acrossA = null;
     acrossB = null;

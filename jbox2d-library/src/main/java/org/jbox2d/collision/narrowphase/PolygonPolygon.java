@@ -30,15 +30,31 @@ public final class PolygonPolygon {
    */
   private static final float RELATIVE_MARGIN = 0.02f;
 
+  /** A guess: the best face of A, that of B, and whether B's alone is known to keep them apart. */
+  private static final int FACE_BITS = 8;
+
+  private static final int FACE = (1 << FACE_BITS) - 1;
+  private static final int PARTED_BY_B = 1 << 2 * FACE_BITS;
+
+  /**
+   * The separation that the last call found, m: the polygons, without their skins, are at least
+   * that far apart. It is the best of all faces unless they are further apart than their skins.
+   */
+  public float separation;
+
   private final FaceQuery queryA = new FaceQuery();
   private final FaceQuery queryB = new FaceQuery();
 
   /**
    * Writes the manifold of two polygons; no point if they are further than their skins. All edges
    * are surfaces; for parts of compounds see {@link PartPolygons}.
+   *
+   * @param guess what the last call for this pair returned, or 0: where to begin to search. The
+   *     manifold does not depend on it
+   * @return where to begin the next time
    */
-  public void collide(
-      Manifold manifold, PolygonShape a, Transform xfA, PolygonShape b, Transform xfB) {
+  public int collide(
+      Manifold manifold, PolygonShape a, Transform xfA, PolygonShape b, Transform xfB, int guess) {
     manifold.pointCount = 0;
     float radius = a.m_radius + b.m_radius;
 
@@ -53,17 +69,30 @@ public final class PolygonPolygon {
     float ty = cA * gy - sA * gx;
 
     // Stage 2: best face of each; a gap on either ends the search. NaN fails the comparisons.
-    FaceQuery faceA = queryA;
-    faceA.run(a, b, c, s, tx, ty, radius);
-    if (!(faceA.separation <= radius)) {
-      return;
-    }
     float backX = -(c * tx + s * ty);
     float backY = s * tx - c * ty;
+    int guessA = guess & FACE;
+    int guessB = guess >> FACE_BITS & FACE;
+    if ((guess & PARTED_BY_B) != 0 && guessB < b.m_count) {
+      separation = FaceQuery.measure(b, guessB, a, c, -s, backX, backY);
+      if (separation > radius) {
+        return guess;
+      }
+    }
+    FaceQuery faceA = queryA;
+    faceA.run(a, b, c, s, tx, ty, radius, guessA);
+    separation = faceA.separation;
+    if (!(separation <= radius)) {
+      return faceA.face | guessB << FACE_BITS;
+    }
     FaceQuery faceB = queryB;
-    faceB.run(b, a, c, -s, backX, backY, radius);
-    if (!(faceB.separation <= radius)) {
-      return;
+    faceB.run(b, a, c, -s, backX, backY, radius, guessB);
+    int faces = faceA.face | faceB.face << FACE_BITS;
+    if (!(faceB.separation <= separation)) {
+      separation = faceB.separation;
+    }
+    if (!(separation <= radius)) {
+      return faces | PARTED_BY_B;
     }
 
     // Stage 3: reference face and incident face.
@@ -81,6 +110,7 @@ public final class PolygonPolygon {
     if (lost) {
       buildOn(manifold, !referenceIsB, a, b, c, s, tx, ty, radius);
     }
+    return faces;
   }
 
   /** By how much B's face must separate better than A's of the given separation, m. */

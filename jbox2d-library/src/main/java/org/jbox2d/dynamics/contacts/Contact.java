@@ -268,6 +268,14 @@ public abstract class Contact {
   /** Computes the manifold of the two shapes at the given transforms. */
   public abstract void evaluate(Manifold manifold, Transform xfA, Transform xfB);
 
+  /** Whether {@link #m_manifold} need not be evaluated anew at these transforms. */
+  boolean isGood(Transform xfA, Transform xfB) {
+    return false;
+  }
+
+  /** Notes that {@link #m_manifold} has been evaluated at these transforms. */
+  void keep(Transform xfA, Transform xfB) {}
+
   /** Marks the contact for filtering before the next step. */
   public void flagForFiltering() {
     m_flags |= FILTER_FLAG;
@@ -339,6 +347,9 @@ public abstract class Contact {
       }
       oldManifold.set(m);
     }
+    if (isGood(m_bodyA.m_xf, m_bodyB.m_xf)) {
+      return m.pointCount > 0;
+    }
     int oldCount = m.pointCount;
     int key0 = 0;
     int key1 = 0;
@@ -359,6 +370,7 @@ public abstract class Contact {
       tangent1 = p.tangentImpulse;
     }
     evaluate(m, m_bodyA.m_xf, m_bodyB.m_xf);
+    keep(m_bodyA.m_xf, m_bodyB.m_xf);
     m_radiusA = m_fixtureA.m_shape.m_radius;
     m_radiusB = m_fixtureB.m_shape.m_radius;
     m_skin =

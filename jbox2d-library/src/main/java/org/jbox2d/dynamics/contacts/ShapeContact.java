@@ -2,6 +2,7 @@ package org.jbox2d.dynamics.contacts;
 
 import org.jbox2d.collision.Collision;
 import org.jbox2d.collision.Manifold;
+import org.jbox2d.collision.narrowphase.KeptManifold;
 import org.jbox2d.collision.narrowphase.PartShape;
 import org.jbox2d.collision.shapes.ChainShape;
 import org.jbox2d.collision.shapes.CircleShape;
@@ -30,6 +31,12 @@ public final class ShapeContact extends Contact {
   private static final int PARTS = 8;
 
   private int pair;
+
+  /** Where the narrow phase begins to search. */
+  private int guess;
+
+  private KeptManifold kept;
+
   private EdgeShape chainEdge;
 
   /** Makes a contact that has no fixtures yet. */
@@ -70,6 +77,10 @@ public final class ShapeContact extends Contact {
   @Override
   public void init(Fixture fA, int indexA, Fixture fB, int indexB) {
     super.init(fA, indexA, fB, indexB);
+    guess = 0;
+    if (kept != null) {
+      kept.forget();
+    }
     if (fA == null) {
       return;
     }
@@ -95,6 +106,35 @@ public final class ShapeContact extends Contact {
   }
 
   @Override
+  boolean isGood(Transform xfA, Transform xfB) {
+    return pair == POLYGONS
+        && kept != null
+        && kept.isGood(
+            m_manifold,
+            (PolygonShape) m_fixtureA.m_shape,
+            xfA,
+            (PolygonShape) m_fixtureB.m_shape,
+            xfB);
+  }
+
+  @Override
+  void keep(Transform xfA, Transform xfB) {
+    if (pair != POLYGONS) {
+      return;
+    }
+    if (kept == null) {
+      kept = new KeptManifold();
+    }
+    kept.keep(
+        m_manifold,
+        (PolygonShape) m_fixtureA.m_shape,
+        xfA,
+        (PolygonShape) m_fixtureB.m_shape,
+        xfB,
+        pool.getCollision().separationOfPolygons());
+  }
+
+  @Override
   public void evaluate(Manifold manifold, Transform xfA, Transform xfB) {
     Collision collision = pool.getCollision();
     Shape a = m_fixtureA.m_shape;
@@ -111,7 +151,9 @@ public final class ShapeContact extends Contact {
             manifold, (PolygonShape) a, xfA, (CircleShape) b, xfB, wayX(), wayY());
         break;
       case POLYGONS:
-        collision.collidePolygons(manifold, (PolygonShape) a, xfA, (PolygonShape) b, xfB);
+        guess =
+            collision.collidePolygons(
+                manifold, (PolygonShape) a, xfA, (PolygonShape) b, xfB, guess);
         break;
       case PARTS:
         collision.collideParts(
