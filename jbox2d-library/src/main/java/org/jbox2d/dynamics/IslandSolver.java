@@ -32,7 +32,7 @@ final class IslandSolver {
    * Up to how many substeps an island gets one more after each step that its joints ended out of
    * tolerance.
    */
-  private static final int RESIDUAL_SUBSTEPS = 6;
+  private static final int RESIDUAL_SUBSTEPS = 4;
 
   /** Contacts and joints of an island times its substeps, above the usual number of those. */
   private static final int MOST_EFFORT = 1024;

@@ -30,7 +30,7 @@ public final class Effort {
   private static final float CONTACT_TIME = 1.5e-3f;
 
   /** Way that a contact may give, in slops. */
-  private static final float CONTACT_SLOPS = 1f;
+  private static final float CONTACT_SLOPS = 2f;
 
   /** Substeps where most contacts carry nothing yet. */
   private static final float COLD_SUBSTEPS = 4f;
