@@ -89,14 +89,19 @@ final class IslandSolver {
       profile.solvePosition.accumElapsed();
     }
     scatter(step);
-    ContactListener listener = world.m_contactManager.m_contactListener;
-    if (listener != null || islands.materials) {
+    if (isHeard()) {
       if (substeps) {
         soft.sumImpulses(islands.contactCount);
       }
+      ContactListener listener = world.m_contactManager.m_contactListener;
       report.send(islands.contacts, islands.contactCount, listener, step);
     }
     islands.release();
+  }
+
+  /** Whether anybody hears of what contacts did. */
+  private boolean isHeard() {
+    return world.m_contactManager.m_contactListener != null || islands.materials;
   }
 
   // --- Gather ---
@@ -257,7 +262,7 @@ final class IslandSolver {
 
   private void solveSubsteps(StepConfig step, Solver solver) {
     islands.groupBodies();
-    soft.begin();
+    soft.begin(isHeard());
     int[] b = islands.bodyStart;
     int[] c = islands.contactStart;
     int[] j = islands.jointStart;

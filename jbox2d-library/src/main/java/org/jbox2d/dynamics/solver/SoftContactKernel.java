@@ -137,10 +137,12 @@ final class SoftContactKernel {
   /**
    * Relaxes constraints {@code [from, to)} and adds their impulses up.
    *
+   * @param summed whether to add them up
    * @param again whether this substep's impulses have been added up before, so that only what
    *     changes is added
    */
-  void relax(ContactConstraints cc, SolverBodies bodies, int from, int to, boolean again) {
+  void relax(
+      ContactConstraints cc, SolverBodies bodies, int from, int to, boolean summed, boolean again) {
     float[] d = cc.vel;
     float[] v = bodies.vel;
     float[] sub = cc.sub;
@@ -161,15 +163,19 @@ final class SoftContactKernel {
         float bias1 = sub[u + S_SEPARATION] > 0f ? room(cc, bodies, i, a, b, 0) : 0f;
         float bias2 = sub[u + S_SEPARATION + 1] > 0f ? room(cc, bodies, i, a, b, 1) : 0f;
         e = relaxTwo(d, c, v, a, b, sub, u, cc.block, K_STRIDE * i, bias1, bias2);
-        sub[u + S_NORMAL_SUM + 1] += d[o2 + NORMAL_IMPULSE] - normal2;
+        if (summed) {
+          sub[u + S_NORMAL_SUM + 1] += d[o2 + NORMAL_IMPULSE] - normal2;
+        }
       } else if (n == 1) {
         float bias = sub[u + S_SEPARATION] > 0f ? room(cc, bodies, i, a, b, 0) : 0f;
         e = relaxOne(d, c, v, a, b, bias);
       } else {
         continue;
       }
-      sub[u + S_NORMAL_SUM] += d[o1 + NORMAL_IMPULSE] - normal;
-      sub[u + S_TANGENT_SUM] += d[o1 + TANGENT_IMPULSE] - tangent;
+      if (summed) {
+        sub[u + S_NORMAL_SUM] += d[o1 + NORMAL_IMPULSE] - normal;
+        sub[u + S_TANGENT_SUM] += d[o1 + TANGENT_IMPULSE] - tangent;
+      }
       fastest = e > fastest ? e : fastest;
     }
     changed = fastest;
