@@ -15,7 +15,7 @@ final class BodyFixtures {
     Checks.notNull(def, "def");
     def.check();
     Checks.shape(def.shape, "FixtureDef.shape");
-    Fixture fixture = add(body, def);
+    Fixture fixture = add(body, def, def.shape.clone());
     if (fixture.m_density > 0f) {
       body.resetMassData();
     }
@@ -36,26 +36,22 @@ final class BodyFixtures {
     }
     List<Fixture> fixtures = new ArrayList<>(parts.length);
     PartShape[] linked = PartShape.link(parts);
-    Shape given = def.shape;
     for (int i = 0; i < parts.length; i++) {
-      def.shape = parts[i];
-      Fixture fixture = add(body, def);
+      boolean isLinked = linked != null && linked[i] != null;
+      Fixture fixture = add(body, def, isLinked ? linked[i] : parts[i].clone());
       fixture.setCompound(compound);
-      if (linked != null && linked[i] != null) {
-        fixture.m_shape = linked[i];
-      }
       fixtures.add(fixture);
     }
-    def.shape = given;
     if (def.density > 0f) {
       body.resetMassData();
     }
     return fixtures;
   }
 
-  private static Fixture add(Body body, FixtureDef def) {
+  /** The shape is the fixture's own. */
+  private static Fixture add(Body body, FixtureDef def, Shape shape) {
     Fixture fixture = new Fixture();
-    fixture.create(body, def);
+    fixture.create(body, def, shape);
     if (body.isActive()) {
       fixture.createProxies(body.m_world.m_contactManager.m_broadPhase, body.m_xf);
     }

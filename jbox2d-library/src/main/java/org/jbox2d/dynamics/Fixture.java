@@ -255,8 +255,13 @@ public class Fixture {
   /** Does nothing; kept for programs compiled against 2.2.1.1. */
   public void dump(int bodyIndex) {}
 
-  /** Takes over a definition. Called by the engine. */
+  /** Takes over a definition, whose shape is cloned. */
   public void create(Body body, FixtureDef def) {
+    create(body, def, def.shape.clone());
+  }
+
+  /** Takes over a definition with a shape, instead of its own, that is nobody else's. */
+  final void create(Body body, FixtureDef def, Shape shape) {
     m_userData = def.userData;
     m_friction = def.friction;
     m_restitution = def.restitution;
@@ -266,7 +271,7 @@ public class Fixture {
     m_filter.set(def.filter);
     m_body = body;
     m_next = null;
-    m_shape = def.shape.clone();
+    m_shape = shape;
     int children = m_shape.getChildCount();
     m_proxies = new FixtureProxy[children];
     for (int i = 0; i < children; i++) {

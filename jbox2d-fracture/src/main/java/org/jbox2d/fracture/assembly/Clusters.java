@@ -35,7 +35,22 @@ final class Clusters {
   }
 
   static List<Cluster> of(Plan plan) {
+    if (plan.breakable.fixtures.size() == plan.request.body.m_fixtureCount) {
+      return apart(plan);
+    }
     return new Clusters().find(plan);
+  }
+
+  /** If all of the body broke, each remainder is a cluster. */
+  private static List<Cluster> apart(Plan plan) {
+    List<Cluster> clusters = new ArrayList<>(plan.remainders.size());
+    for (Piece remainder : plan.remainders) {
+      Cluster cluster = new Cluster();
+      cluster.remainders.add(remainder);
+      clusters.add(cluster);
+    }
+    largestFirst(clusters, plan.request.fixture.getDensity());
+    return clusters;
   }
 
   /**

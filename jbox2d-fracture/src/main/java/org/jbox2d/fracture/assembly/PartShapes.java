@@ -27,6 +27,9 @@ public final class PartShapes {
 
   private final ConvexDecomposition decomposition = new ConvexDecomposition();
 
+  /** What a shape is set to, which copies it. */
+  private Vec2[] vertices = new Vec2[0];
+
   /**
    * Returns the convex parts of an outline.
    *
@@ -53,13 +56,19 @@ public final class PartShapes {
     return RESOLUTION_IN_SLOPS * Settings.linearSlop;
   }
 
-  private static PolygonShape shapeOf(ConvexParts parts, int p, float skin) {
-    Vec2[] vertices = new Vec2[parts.size(p)];
-    for (int i = 0; i < vertices.length; i++) {
-      vertices[i] = new Vec2((float) parts.x(p, i), (float) parts.y(p, i));
+  private PolygonShape shapeOf(ConvexParts parts, int p, float skin) {
+    int size = parts.size(p);
+    if (vertices.length < size) {
+      vertices = new Vec2[size];
+      for (int i = 0; i < size; i++) {
+        vertices[i] = new Vec2();
+      }
+    }
+    for (int i = 0; i < size; i++) {
+      vertices[i].set((float) parts.x(p, i), (float) parts.y(p, i));
     }
     PolygonShape shape = new PolygonShape();
-    shape.set(vertices, vertices.length);
+    shape.set(vertices, size);
     shape.m_radius = skin;
     return shape;
   }

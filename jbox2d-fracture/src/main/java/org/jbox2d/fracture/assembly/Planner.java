@@ -205,6 +205,9 @@ public final class Planner {
 
   /** Whether no other strike is nearer; of equally near ones the first counts. */
   private static boolean isNearest(Strike strike, Vec2 p, Request request) {
+    if (request.strikes.size() == 1) {
+      return true;
+    }
     float own = distance2(strike.point, p);
     boolean before = true;
     for (Strike other : request.strikes) {

@@ -35,19 +35,27 @@ final class BreakAway {
   private boolean[] breaks = new boolean[0];
   private boolean[] hit = new boolean[0];
   private int[] queue = new int[0];
-  private int[] groupOfPiece = new int[0];
-  private double[] ring = new double[64];
   private double[] overlap = new double[0];
-  private double[] area = new double[0];
 
-  /** For each group, by its number, whether it breaks away; valid until the next call. */
+  /** For each half-edge the group on its left, {@link #NONE} outside and for unused ones. */
+  private int[] groupLeft = new int[0];
+
+  /** For each half-edge the square of its distance from the contact. */
+  private double[] squaredDistance = new double[0];
+
+  /**
+   * For each group, by its number, whether it breaks away; valid until the next call.
+   *
+   * @param coordinates of the nodes, in those of the outline
+   * @param unitArea area, in the outline's coordinates, of the square of the map's unit
+   */
   boolean[] choose(
       PlanarMap planarMap,
       PieceGroups pieceGroups,
-      RingTracer tracer,
       List<? extends RegionOfEffect> regions,
       double[] coordinates,
-      Outline body) {
+      Outline body,
+      double unitArea) {
     map = planarMap;
     groups = pieceGroups;
     xy = coordinates;
@@ -58,13 +66,13 @@ final class BreakAway {
     if (regions.isEmpty()) {
       return breaks;
     }
-    for (int p = 0; p < pieces; p++) {
-      groupOfPiece[p] = groups.group(p);
+    for (int h = 0; h < map.halfEdgeCount(); h++) {
+      int piece = map.piece(h);
+      groupLeft[h] = piece == NONE ? NONE : groups.group(piece);
     }
-    tracer.trace(map, groupOfPiece, pieces, outline.vertexCount());
     boolean convex = isConvex();
     for (RegionOfEffect region : regions) {
-      findHit(region, tracer);
+      findHit(region, unitArea);
       reach(region, convex);
     }
     return breaks;
@@ -76,9 +84,12 @@ final class BreakAway {
       breaks = new boolean[size];
       hit = new boolean[size];
       queue = new int[size];
-      groupOfPiece = new int[size];
       overlap = new double[size];
-      area = new double[size];
+    }
+    if (groupLeft.length < map.halfEdgeCount()) {
+      int size = map.halfEdgeCount() + map.halfEdgeCount() / 2;
+      groupLeft = new int[size];
+      squaredDistance = new double[size / 2 + 1];
     }
   }
 
@@ -95,50 +106,27 @@ final class BreakAway {
     return true;
   }
 
-  private void findHit(RegionOfEffect region, RingTracer tracer) {
+  /** Adds up the region's overlap with each group, an edge at a time for both of its sides. */
+  private void findHit(RegionOfEffect region, double unitArea) {
     Arrays.fill(overlap, 0, groups.pieceCount(), 0);
-    Arrays.fill(area, 0, groups.pieceCount(), 0);
-    for (int r = 0; r < tracer.ringCount(); r++) {
-      int size = copyRing(tracer, r);
-      int group = tracer.ringClass(r);
-      area[group] += org.jbox2d.fracture.geometry.Rings.signedArea(ring, 0, size);
-      if (boxesOverlap(size, region)) {
-        overlap[group] += region.overlap(ring, 0, size);
+    for (int h = 0; h < map.halfEdgeCount(); h += 2) {
+      int left = groupLeft[h];
+      int right = groupLeft[h + 1];
+      if (left != right) {
+        int a = 2 * map.origin(h);
+        int b = 2 * map.origin(h + 1);
+        double common = region.overlap(xy[a], xy[a + 1], xy[b], xy[b + 1]);
+        if (left != NONE) {
+          overlap[left] += common;
+        }
+        if (right != NONE) {
+          overlap[right] -= common;
+        }
       }
     }
     for (int g = 0; g < groups.pieceCount(); g++) {
-      hit[g] = overlap[g] > 0.5 * area[g];
+      hit[g] = overlap[g] > 0.5 * unitArea * groups.area(g);
     }
-  }
-
-  private int copyRing(RingTracer tracer, int r) {
-    int size = tracer.ringEnd(r) - tracer.ringStart(r);
-    if (ring.length < 2 * size) {
-      ring = new double[4 * size];
-    }
-    for (int i = 0; i < size; i++) {
-      int node = tracer.node(tracer.ringStart(r) + i);
-      ring[2 * i] = xy[2 * node];
-      ring[2 * i + 1] = xy[2 * node + 1];
-    }
-    return size;
-  }
-
-  private boolean boxesOverlap(int size, RegionOfEffect region) {
-    double minX = Double.POSITIVE_INFINITY;
-    double minY = Double.POSITIVE_INFINITY;
-    double maxX = Double.NEGATIVE_INFINITY;
-    double maxY = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < size; i++) {
-      minX = Math.min(minX, ring[2 * i]);
-      maxX = Math.max(maxX, ring[2 * i]);
-      minY = Math.min(minY, ring[2 * i + 1]);
-      maxY = Math.max(maxY, ring[2 * i + 1]);
-    }
-    return minX < region.maxX()
-        && maxX > region.minX()
-        && minY < region.maxY()
-        && maxY > region.minY();
   }
 
   // ---- from the contact inwards ----
@@ -149,7 +137,7 @@ final class BreakAway {
       for (int p = queue[k]; p != NONE; p = groups.nextMember(p)) {
         for (int i = groups.edgeStart(p); i < groups.edgeEnd(p); i++) {
           int h = groups.edge(i);
-          int across = groups.acrossGroup(h);
+          int across = groupLeft[h ^ 1];
           if (across != NONE && hit[across] && (convex || isVisible(h, region))) {
             hit[across] = false;
             breaks[across] = true;
@@ -166,17 +154,19 @@ final class BreakAway {
    */
   private int enqueueContact(RegionOfEffect region) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (int h = 0; h < map.halfEdgeCount(); h++) {
-      if (touchesContact(h, region)) {
-        nearest = Math.min(nearest, distance(h, region));
+    for (int h = 0; h < map.halfEdgeCount(); h += 2) {
+      double distance = squaredDistance(h, region);
+      squaredDistance[h >> 1] = distance;
+      if (distance < nearest && (touchesContact(h, region) || touchesContact(h + 1, region))) {
+        nearest = distance;
       }
     }
-    double reach = nearest + CONTACT_TOLERANCE * extent();
+    double reach = Math.sqrt(nearest) + CONTACT_TOLERANCE * extent();
     int end = 0;
     for (int pass = 0; pass < 2 && end == 0; pass++) {
       for (int h = 0; h < map.halfEdgeCount(); h++) {
-        if (touchesContact(h, region) && distance(h, region) <= reach) {
-          int own = groups.group(map.piece(h));
+        if (squaredDistance[h >> 1] <= reach * reach && touchesContact(h, region)) {
+          int own = groupLeft[h];
           end = pass == 0 ? enqueue(own, end) : enqueueNeighbours(own, end);
         }
       }
@@ -198,7 +188,7 @@ final class BreakAway {
     int end = queued;
     for (int p = group; p != NONE; p = groups.nextMember(p)) {
       for (int i = groups.edgeStart(p); i < groups.edgeEnd(p); i++) {
-        int across = groups.acrossGroup(groups.edge(i));
+        int across = groupLeft[groups.edge(i) ^ 1];
         if (across != NONE) {
           end = enqueue(across, end);
         }
@@ -212,7 +202,7 @@ final class BreakAway {
    * for a cut.
    */
   private boolean touchesContact(int h, RegionOfEffect region) {
-    if (map.isUnused(h) || map.piece(h) == NONE) {
+    if (groupLeft[h] == NONE) {
       return false;
     }
     int a = map.origin(h);
@@ -228,10 +218,9 @@ final class BreakAway {
             >= 0;
   }
 
-  private double distance(int h, RegionOfEffect region) {
-    return Math.sqrt(
-        Segments.distanceSquared(
-            xy, map.origin(h), map.destination(h), region.contactX(), region.contactY()));
+  private double squaredDistance(int h, RegionOfEffect region) {
+    return Segments.distanceSquared(
+        xy, map.origin(h), map.destination(h), region.contactX(), region.contactY());
   }
 
   private double extent() {
@@ -270,7 +259,13 @@ final class BreakAway {
     double ay = outline.y(i);
     double bx = outline.x(j);
     double by = outline.y(j);
-    return Predicates.orientation(ax, ay, bx, by, px, py)
+    boolean apart =
+        Math.max(ax, bx) < Math.min(px, qx)
+            || Math.max(px, qx) < Math.min(ax, bx)
+            || Math.max(ay, by) < Math.min(py, qy)
+            || Math.max(py, qy) < Math.min(ay, by);
+    return !apart
+        && Predicates.orientation(ax, ay, bx, by, px, py)
                 * Predicates.orientation(ax, ay, bx, by, qx, qy)
             < 0
         && Predicates.orientation(px, py, qx, qy, ax, ay)

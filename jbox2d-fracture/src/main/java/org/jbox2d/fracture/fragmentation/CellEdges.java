@@ -21,11 +21,25 @@ final class CellEdges {
   private boolean[] doubtful = new boolean[0];
   private int[] node = new int[0];
 
+  /** Bounding box of a cell, in local coordinates; infinite the wrong way if it is empty. */
+  private double minX;
+
+  private double minY;
+  private double maxX;
+  private double maxY;
+
   /** For each site the first one of its piece, which stands for it; itself if it is alone. */
   private int[] leader = new int[0];
 
+  /**
+   * Adds what matters.
+   *
+   * @param selection knows which sites the diagram has
+   * @param pieceOfSite for each site the number of its piece, negative for none; or null
+   */
   void add(
       VoronoiDiagram voronoi,
+      CellSelection selection,
       int[] pieceOfSite,
       Noder noder,
       List<? extends RegionOfEffect> regions,
@@ -33,13 +47,8 @@ final class CellEdges {
     diagram = voronoi;
     snap = frame.snap();
     ensure();
-    findLeaders(pieceOfSite);
-    for (int i = 0; i < diagram.siteCount(); i++) {
-      matters[i] = regions.isEmpty();
-      for (int k = 0; k < regions.size() && !matters[i]; k++) {
-        matters[i] = mayOverlap(i, regions.get(k), frame);
-      }
-    }
+    findLeaders(selection, pieceOfSite);
+    findMattering(regions, frame);
     spreadOverPieces();
     Arrays.fill(doubtful, 0, diagram.vertexCount(), false);
     for (int i = 0; i < diagram.siteCount(); i++) {
@@ -68,7 +77,7 @@ final class CellEdges {
     }
   }
 
-  private void findLeaders(int[] pieceOfSite) {
+  private void findLeaders(CellSelection selection, int[] pieceOfSite) {
     for (int i = 0; i < diagram.siteCount(); i++) {
       leader[i] = i;
     }
@@ -77,8 +86,9 @@ final class CellEdges {
     }
     Map<Integer, Integer> first = new HashMap<>();
     for (int i = 0; i < diagram.siteCount(); i++) {
-      if (pieceOfSite[i] >= 0) {
-        Integer earlier = first.putIfAbsent(pieceOfSite[i], i);
+      int piece = pieceOfSite[selection.site(i)];
+      if (piece >= 0) {
+        Integer earlier = first.putIfAbsent(piece, i);
         leader[i] = earlier == null ? i : earlier;
       }
     }
@@ -94,23 +104,37 @@ final class CellEdges {
     }
   }
 
-  private boolean mayOverlap(int cell, RegionOfEffect region, LocalFrame frame) {
-    double minX = Double.POSITIVE_INFINITY;
-    double minY = Double.POSITIVE_INFINITY;
-    double maxX = Double.NEGATIVE_INFINITY;
-    double maxY = Double.NEGATIVE_INFINITY;
+  /** Marks the cells whose bounding boxes overlap that of a region. */
+  private void findMattering(List<? extends RegionOfEffect> regions, LocalFrame frame) {
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      matters[i] = regions.isEmpty();
+      if (!matters[i]) {
+        measure(i);
+      }
+      for (int k = 0; k < regions.size() && !matters[i]; k++) {
+        RegionOfEffect region = regions.get(k);
+        matters[i] =
+            frame.toInputX(minX) <= region.maxX()
+                && frame.toInputX(maxX) >= region.minX()
+                && frame.toInputY(minY) <= region.maxY()
+                && frame.toInputY(maxY) >= region.minY();
+      }
+    }
+  }
+
+  private void measure(int cell) {
+    minX = Double.POSITIVE_INFINITY;
+    minY = Double.POSITIVE_INFINITY;
+    maxX = Double.NEGATIVE_INFINITY;
+    maxY = Double.NEGATIVE_INFINITY;
     for (int k = diagram.cellStart(cell); k < diagram.cellEnd(cell); k++) {
-      double x = frame.toInputX(diagram.vertexX(diagram.cornerVertex(k)));
-      double y = frame.toInputY(diagram.vertexY(diagram.cornerVertex(k)));
+      double x = diagram.vertexX(diagram.cornerVertex(k));
+      double y = diagram.vertexY(diagram.cornerVertex(k));
       minX = Math.min(minX, x);
       maxX = Math.max(maxX, x);
       minY = Math.min(minY, y);
       maxY = Math.max(maxY, y);
     }
-    return minX <= region.maxX()
-        && maxX >= region.minX()
-        && minY <= region.maxY()
-        && maxY >= region.minY();
   }
 
   /**

@@ -110,7 +110,7 @@ public final class Fragmenter {
         pieceOfSite == null ? regions : Collections.<RegionOfEffect>emptyList(),
         frame,
         voronoi);
-    cellEdges.add(voronoi, pieceOfSite, noder, regions, frame);
+    cellEdges.add(voronoi, selection, pieceOfSite, noder, regions, frame);
     return finish(regions, limits);
   }
 
@@ -230,7 +230,8 @@ public final class Fragmenter {
       classOfPiece = new int[2 * pieces];
       groupOfClass = new int[2 * pieces];
     }
-    boolean[] breaks = breakAway.choose(map, groups, tracer, regions, result, outline);
+    double unitArea = frame.unit() * frame.unit();
+    boolean[] breaks = breakAway.choose(map, groups, regions, result, outline, unitArea);
     fragmentCount = 0;
     boolean anyStays = false;
     for (int p = 0; p < pieces; p++) {
@@ -251,7 +252,7 @@ public final class Fragmenter {
 
   private void uniteWhatStays(boolean[] breaks) {
     for (int h = 0; h < map.halfEdgeCount(); h += 2) {
-      if (map.isUnused(h) || map.piece(h) < 0 || map.piece(h + 1) < 0) {
+      if (map.piece(h) < 0 || map.piece(h + 1) < 0) {
         continue;
       }
       int g = groups.group(map.piece(h));

@@ -1,16 +1,17 @@
 package org.jbox2d.fracture.fragmentation;
 
+import org.jbox2d.fracture.geometry.Angles;
+
 /**
  * The thesis' region of effect (section 5.2.2). In the frame with its origin at the contact point
  * and +y along the impact vector: a half disc of radius r behind, {@code x^2 + y^2 < r^2, y < 0},
  * and a half ellipse ahead, {@code x^2 / r^2 + y^2 / d^2 < 1, y >= 0}. A zero impact vector gives
  * the disc of radius r.
  *
- * <p>Both halves are unions of triangles with the contact point, cut at the curve. So the overlap
- * with a ring is the sum over its edges of the signed overlap of region and triangle (contact, a,
- * b): the edge is cut at y = 0, the upper part scaled by r/d in y, and what is left is the overlap
- * of a disc and a triangle at its centre, made of triangles inside and sectors outside the disc. No
- * clipping, exact but for rounding.
+ * <p>The overlap with a triangle at the contact point: the edge opposite to it is cut at y = 0, the
+ * upper part scaled by r/d in y, and what is left is the overlap of a disc and a triangle at its
+ * centre, made of triangles inside and sectors outside the disc. No clipping, exact but for
+ * rounding.
  */
 public final class ImpactRegion implements RegionOfEffect {
   private final double contactX;
@@ -19,6 +20,20 @@ public final class ImpactRegion implements RegionOfEffect {
   private final double directionY;
   private final double radius;
   private final double depth;
+
+  /** Depth in units of the radius. */
+  private final double stretch;
+
+  /** Unit vectors across and along the impact, over the radius. */
+  private final double acrossX;
+
+  private final double acrossY;
+  private final double alongX;
+  private final double alongY;
+  private final double minX;
+  private final double maxX;
+  private final double minY;
+  private final double maxY;
 
   /**
    * Creates a region.
@@ -64,6 +79,15 @@ public final class ImpactRegion implements RegionOfEffect {
       directionY = 1;
       this.depth = radius;
     }
+    stretch = this.depth / radius;
+    acrossX = directionY / radius;
+    acrossY = -directionX / radius;
+    alongX = directionX / radius;
+    alongY = directionY / radius;
+    minX = contactX - reach(-directionX, directionY);
+    maxX = contactX + reach(directionX, directionY);
+    minY = contactY - reach(-directionY, directionX);
+    maxY = contactY + reach(directionY, directionX);
   }
 
   @Override
@@ -78,30 +102,29 @@ public final class ImpactRegion implements RegionOfEffect {
 
   @Override
   public double minX() {
-    return contactX - reach(-directionX, directionY);
+    return minX;
   }
 
   @Override
   public double maxX() {
-    return contactX + reach(directionX, directionY);
+    return maxX;
   }
 
   @Override
   public double minY() {
-    return contactY - reach(-directionY, directionX);
+    return minY;
   }
 
   @Override
   public double maxY() {
-    return contactY + reach(directionY, directionX);
+    return maxY;
   }
 
   /**
    * Support of the region in a direction that has the given components along and across the impact.
    */
   private double reach(double along, double across) {
-    double stretch = along > 0 ? depth : radius;
-    double a = along * stretch;
+    double a = along * (along > 0 ? depth : radius);
     double b = across * radius;
     return Math.sqrt(a * a + b * b);
   }
@@ -121,34 +144,21 @@ public final class ImpactRegion implements RegionOfEffect {
   }
 
   @Override
-  public double overlap(double[] xy, int start, int end) {
-    double sum = 0;
-    double ax = toX(xy, end - 1);
-    double ay = toY(xy, end - 1);
-    for (int i = start; i < end; i++) {
-      double bx = toX(xy, i);
-      double by = toY(xy, i);
-      sum += edgeOverlap(ax, ay, bx, by);
-      ax = bx;
-      ay = by;
-    }
-    return sum * radius * radius;
+  public double overlap(double ax, double ay, double bx, double by) {
+    double px = ax - contactX;
+    double py = ay - contactY;
+    double qx = bx - contactX;
+    double qy = by - contactY;
+    return radius
+        * radius
+        * edgeOverlap(
+            px * acrossX + py * acrossY,
+            px * alongX + py * alongY,
+            qx * acrossX + qy * acrossY,
+            qx * alongX + qy * alongY);
   }
 
-  /** Coordinate across the impact in units of the radius. */
-  private double toX(double[] xy, int i) {
-    double dx = xy[2 * i] - contactX;
-    double dy = xy[2 * i + 1] - contactY;
-    return (dx * directionY - dy * directionX) / radius;
-  }
-
-  /** Coordinate along the impact in units of the radius. */
-  private double toY(double[] xy, int i) {
-    double dx = xy[2 * i] - contactX;
-    double dy = xy[2 * i + 1] - contactY;
-    return (dx * directionX + dy * directionY) / radius;
-  }
-
+  /** The same for the half disc and ellipse of radius 1 ahead along +y. */
   private double edgeOverlap(double ax, double ay, double bx, double by) {
     if ((ay >= 0) == (by >= 0)) {
       return halfOverlap(ax, ay, bx, by, ay >= 0);
@@ -162,7 +172,6 @@ public final class ImpactRegion implements RegionOfEffect {
     if (!ahead) {
       return discOverlap(ax, ay, bx, by);
     }
-    double stretch = depth / radius;
     return stretch * discOverlap(ax, ay / stretch, bx, by / stretch);
   }
 
@@ -204,6 +213,6 @@ public final class ImpactRegion implements RegionOfEffect {
   }
 
   private static double sector(double ax, double ay, double bx, double by) {
-    return 0.5 * StrictMath.atan2(ax * by - ay * bx, ax * bx + ay * by);
+    return 0.5 * Angles.atan2(ax * by - ay * bx, ax * bx + ay * by);
   }
 }

@@ -23,6 +23,10 @@ final class LocalFrame {
   private double originX;
   private double originY;
   private double scale;
+
+  /** The local unit in that of the input: 1 / scale, which is exact for a power of two. */
+  private double unit;
+
   private double snap;
   private double minX;
   private double minY;
@@ -44,7 +48,8 @@ final class LocalFrame {
     // A float has few enough digits that most differences to it are exact.
     originX = (float) (0.5 * (minX + maxX));
     originY = (float) (0.5 * (minY + maxY));
-    scale = 1 / Math.scalb(1.0, Math.getExponent(extent) + 1);
+    unit = Math.scalb(1.0, Math.getExponent(extent) + 1);
+    scale = 1 / unit;
     double far =
         Math.max(
             Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)));
@@ -64,16 +69,21 @@ final class LocalFrame {
   }
 
   double toInputX(double x) {
-    return x / scale + originX;
+    return x * unit + originX;
   }
 
   double toInputY(double y) {
-    return y / scale + originY;
+    return y * unit + originY;
   }
 
   /** Local units to a unit of the input. */
   double scale() {
     return scale;
+  }
+
+  /** The local unit in that of the input. */
+  double unit() {
+    return unit;
   }
 
   /** Distance, in the local unit, below which points are one. */

@@ -39,7 +39,7 @@ final class PieceGroups {
       shared[p] = 0;
     }
     for (int h = 0; h < map.halfEdgeCount(); h++) {
-      if (isInside(h)) {
+      if (map.piece(h) != NONE) {
         edgeStart[map.piece(h)]++;
       }
     }
@@ -47,7 +47,7 @@ final class PieceGroups {
       edgeStart[p + 1] += edgeStart[p];
     }
     for (int h = map.halfEdgeCount() - 1; h >= 0; h--) {
-      if (isInside(h)) {
+      if (map.piece(h) != NONE) {
         edge[--edgeStart[map.piece(h)]] = h;
       }
     }
@@ -76,10 +76,6 @@ final class PieceGroups {
     }
   }
 
-  private boolean isInside(int h) {
-    return !map.isUnused(h) && map.piece(h) != NONE;
-  }
-
   private void measureArea(int p) {
     int base = map.origin(edge[edgeStart[p]]);
     double baseX = map.x(base);
@@ -98,9 +94,6 @@ final class PieceGroups {
   /** Each edge between pieces counts for both. */
   private void measurePerimeters() {
     for (int h = 0; h < map.halfEdgeCount(); h += 2) {
-      if (map.isUnused(h)) {
-        continue;
-      }
       int p = map.piece(h);
       int q = map.piece(h + 1);
       if (p != q) {

@@ -39,6 +39,7 @@ final class PlanarMap {
   private int[] ccw = new int[64];
   private int[] after = new int[64];
   private int[] cycle = new int[64];
+  private int[] piece = new int[64];
   private int[] queue = new int[64];
 
   private int[] nodeStart = new int[1];
@@ -87,9 +88,9 @@ final class PlanarMap {
     return ccw[h];
   }
 
-  /** Piece left of h, or -1 if that is outside. */
+  /** Piece left of h, or -1 if that is outside or h is unused. */
   int piece(int h) {
-    return pieceOfCycle[cycle[h]];
+    return piece[h];
   }
 
   /** Label of what is left of a half-edge that is not of the outline. */
@@ -122,6 +123,7 @@ final class PlanarMap {
       ccw = new int[size];
       after = new int[size];
       cycle = new int[size];
+      piece = new int[size];
       queue = new int[size];
       fan = new int[size];
       cycleEdge = new int[size];
@@ -389,6 +391,9 @@ final class PlanarMap {
         pieceOfCycle[c] = pieceOfCycle[around];
       }
     }
+    for (int h = 0; h < halfEdgeCount; h++) {
+      piece[h] = isDropped(h) ? NONE : pieceOfCycle[cycle[h]];
+    }
     return pieceCount > 0;
   }
 
@@ -438,10 +443,5 @@ final class PlanarMap {
   /** Next half-edge along the cycle of h. */
   int after(int h) {
     return after[h];
-  }
-
-  /** Whether h belongs to no cycle: it coincided with another. */
-  boolean isUnused(int h) {
-    return isDropped(h);
   }
 }

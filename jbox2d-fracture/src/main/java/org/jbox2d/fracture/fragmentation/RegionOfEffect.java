@@ -24,12 +24,10 @@ public interface RegionOfEffect {
   double maxY();
 
   /**
-   * Area of what the region and the inside of a ring have in common: positive for counter-clockwise
-   * rings, negative for clockwise ones, so that outer ring and holes of a piece add up.
-   *
-   * @param xy interleaved coordinates
-   * @param start first vertex of the ring
-   * @param end one past the last vertex of the ring
+   * Area of what the region and the triangle of the contact, a and b have in common: positive if
+   * they turn counter-clockwise, else negative. The sum over the edges of a piece, which has its
+   * interior on their left, is the area of what region and piece have in common; two pieces that
+   * share an edge have the same term, but for its sign.
    */
-  double overlap(double[] xy, int start, int end);
+  double overlap(double ax, double ay, double bx, double by);
 }

@@ -35,7 +35,6 @@ final class RingTracer {
   private int[] node = new int[64];
   private int ringCount;
   private int[] ringStart = new int[17];
-  private int[] ringClass = new int[16];
   private double[] ringArea = new double[16];
   private int[] firstRing = new int[16];
   private int[] nextRing = new int[16];
@@ -50,7 +49,7 @@ final class RingTracer {
     map = planarMap;
     ensure(classCount);
     for (int h = 0; h < map.halfEdgeCount(); h++) {
-      int piece = map.isUnused(h) ? NONE : map.piece(h);
+      int piece = map.piece(h);
       classLeft[h] = piece == NONE ? NONE : classes[piece];
     }
     Arrays.fill(visited, 0, map.halfEdgeCount(), false);
@@ -115,14 +114,12 @@ final class RingTracer {
   }
 
   private void addRing(int ringsClass, int start) {
-    if (ringCount == ringClass.length) {
+    if (ringCount == ringArea.length) {
       int size = 2 * ringCount;
       ringStart = Arrays.copyOf(ringStart, size + 1);
-      ringClass = Arrays.copyOf(ringClass, size);
       ringArea = Arrays.copyOf(ringArea, size);
       nextRing = Arrays.copyOf(nextRing, size);
     }
-    ringClass[ringCount] = ringsClass;
     ringArea[ringCount] = signedArea(start, nodeEnd);
     int head = firstRing[ringsClass];
     if (head == NONE || ringArea[ringCount] > 0) {
@@ -182,25 +179,5 @@ final class RingTracer {
       starts[++count] = k;
     }
     return new Outline(xy, starts);
-  }
-
-  int ringCount() {
-    return ringCount;
-  }
-
-  int ringClass(int r) {
-    return ringClass[r];
-  }
-
-  int ringStart(int r) {
-    return ringStart[r];
-  }
-
-  int ringEnd(int r) {
-    return ringStart[r + 1];
-  }
-
-  int node(int k) {
-    return node[k];
   }
 }

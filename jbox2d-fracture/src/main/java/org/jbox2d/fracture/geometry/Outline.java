@@ -12,6 +12,11 @@ public final class Outline {
   private final double[] xy;
   private final int[] ringStart;
 
+  /** Whether it has been found valid, and convex: of use to {@link OutlineCheck} alone. */
+  boolean foundValid;
+
+  boolean foundConvex;
+
   /**
    * Creates an outline.
    *

@@ -21,6 +21,7 @@ public final class OutlineCheck {
 
   private Outline outline;
   private boolean mayTouch;
+  private boolean convex;
   private OutlineDefect defect = OutlineDefect.NONE;
   private int vertex = -1;
   private int other = -1;
@@ -50,12 +51,26 @@ public final class OutlineCheck {
    */
   public boolean run(Outline given, boolean ringsMayTouch) {
     begin(given, ringsMayTouch);
-    return finite()
-        && ringsLargeEnough()
-        && edgesHaveLength()
-        && edgesApart()
-        && ringsHaveArea()
-        && holesPlaced();
+    if (outline.foundValid && ringsMayTouch) {
+      convex = outline.foundConvex;
+      return true;
+    }
+    if (!finite() || !ringsLargeEnough()) {
+      return false;
+    }
+    convex =
+        outline.ringCount() == 1
+            && Rings.isStrictlyConvex(outline.coordinates(), 0, outline.vertexCount());
+    boolean valid =
+        (convex || (edgesHaveLength() && edgesApart())) && ringsHaveArea() && holesPlaced();
+    outline.foundConvex = valid && convex;
+    outline.foundValid = valid;
+    return valid;
+  }
+
+  /** Whether the outline of the last {@link #run} that found it valid is strictly convex. */
+  public boolean isConvex() {
+    return convex;
   }
 
   /**
@@ -71,6 +86,7 @@ public final class OutlineCheck {
   private void begin(Outline given, boolean ringsMayTouch) {
     outline = given;
     mayTouch = ringsMayTouch;
+    convex = false;
     defect = OutlineDefect.NONE;
     vertex = -1;
     other = -1;
@@ -155,10 +171,6 @@ public final class OutlineCheck {
   }
 
   private boolean edgesApart() {
-    if (outline.ringCount() == 1
-        && Rings.isStrictlyConvex(outline.coordinates(), 0, outline.vertexCount())) {
-      return true;
-    }
     int n = outline.vertexCount();
     ensure(n);
     for (int r = 0; r < outline.ringCount(); r++) {

@@ -149,10 +149,14 @@ public final class ConvexDecomposition {
     }
     Outline normal = outline.normal();
     Outline coarse = resolution > 0 ? simplifier.simplify(normal, resolution) : normal;
+    boolean convex = resolution > 0 ? simplifier.isConvex() : isConvex(coarse);
     if (coarse == null) {
       return failure(Status.TOO_FINE, "outline is finer than the resolution " + resolution);
     }
-    ConvexParts parts = decompose(coarse, mostVertices);
+    ConvexParts parts =
+        convex && coarse.vertexCount() <= mostVertices
+            ? onePart(coarse)
+            : decompose(coarse, mostVertices);
     if (parts == null) {
       return triangulationChecks && !check.run(outline, true)
           ? invalid(outline)
@@ -168,6 +172,11 @@ public final class ConvexDecomposition {
     return new Result(Status.DECOMPOSED, "", parts, outline);
   }
 
+  private static boolean isConvex(Outline outline) {
+    return outline.ringCount() == 1
+        && Rings.isStrictlyConvex(outline.coordinates(), 0, outline.vertexCount());
+  }
+
   /** Names the first defect. */
   private Result invalid(Outline outline) {
     check.run(outline, true);
@@ -180,11 +189,6 @@ public final class ConvexDecomposition {
 
   /** The parts of a normal outline, or null if it resists. */
   private ConvexParts decompose(Outline outline, int mostVertices) {
-    int n = outline.vertexCount();
-    double[] xy = outline.coordinates();
-    if (n <= mostVertices && outline.ringCount() == 1 && Rings.isStrictlyConvex(xy, 0, n)) {
-      return onePart(xy, n);
-    }
     if (!first.triangulate(outline, mesh)
         && (second == null || !second.triangulate(outline, mesh))) {
       return null;
@@ -199,7 +203,9 @@ public final class ConvexDecomposition {
   }
 
   /** The vertices in the order in which they would come out of a triangulation: the last first. */
-  private static ConvexParts onePart(double[] xy, int n) {
+  private static ConvexParts onePart(Outline outline) {
+    int n = outline.vertexCount();
+    double[] xy = outline.coordinates();
     double[] part = new double[2 * n];
     part[0] = xy[2 * n - 2];
     part[1] = xy[2 * n - 1];

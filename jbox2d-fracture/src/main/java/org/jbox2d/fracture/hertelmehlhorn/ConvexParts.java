@@ -18,6 +18,11 @@ public final class ConvexParts {
     return start.length - 1;
   }
 
+  /** Number of vertices of all parts. */
+  int vertexCount() {
+    return start[start.length - 1];
+  }
+
   /** Number of vertices of part p. */
   public int size(int p) {
     return start[p + 1] - start[p];

@@ -30,17 +30,23 @@ final class OutlineSimplifier {
   private final OutlineCheck check = new OutlineCheck();
   private final Stretch stretch = new Stretch();
   private double[] ring = new double[64];
+  private double[] out = new double[64];
+  private double[] stretched = new double[64];
   private int size;
+  private boolean convex;
   private double resolution;
 
   /** The simplified outline, or null if nothing of it is left. */
   Outline simplify(Outline outline, double by) {
     resolution = by;
-    double[] out = new double[2 * outline.vertexCount()];
+    if (out.length < 2 * outline.vertexCount()) {
+      out = new double[4 * outline.vertexCount()];
+      stretched = new double[out.length];
+    }
     int[] starts = new int[outline.ringCount() + 1];
     int rings = 0;
     int total = 0;
-    double[] stretched = null;
+    boolean anyStretched = false;
     for (int r = 0; r < outline.ringCount(); r++) {
       take(outline, r);
       simplifyRing();
@@ -49,18 +55,14 @@ final class OutlineSimplifier {
       }
       if (size >= 3) {
         System.arraycopy(ring, 0, out, 2 * total, 2 * size);
-        if (restoreArea(outline.ringArea(r)) && stretched == null) {
-          stretched = out.clone();
-        }
-        if (stretched != null) {
-          System.arraycopy(ring, 0, stretched, 2 * total, 2 * size);
-        }
+        anyStretched |= restoreArea(outline.ringArea(r));
+        System.arraycopy(ring, 0, stretched, 2 * total, 2 * size);
         total += size;
         starts[++rings] = total;
       }
     }
-    int[] coarseStarts = Arrays.copyOf(starts, rings + 1);
-    if (stretched != null) {
+    int[] coarseStarts = rings + 1 < starts.length ? Arrays.copyOf(starts, rings + 1) : starts;
+    if (anyStretched) {
       Outline kept = new Outline(Arrays.copyOf(stretched, 2 * total), coarseStarts);
       if (isSound(kept)) {
         return kept;
@@ -74,8 +76,15 @@ final class OutlineSimplifier {
     return isSound(rounded) ? rounded : outline;
   }
 
+  /** Whether what {@link #simplify} gave last is strictly convex and has no hole. */
+  boolean isConvex() {
+    return convex;
+  }
+
   private boolean isSound(Outline outline) {
-    return check.run(outline, true) && outline.isNormal();
+    boolean sound = check.run(outline, true) && outline.isNormal();
+    convex = sound && check.isConvex();
+    return sound;
   }
 
   private static Outline rounded(Outline outline) {

@@ -19,6 +19,7 @@ final class PartFilter {
 
   private final Stretch stretch = new Stretch();
   private double[] ring = new double[32];
+  private double[] out = new double[64];
   private int size;
 
   /**
@@ -27,7 +28,6 @@ final class PartFilter {
    * @param area what they are to have together
    */
   ConvexParts filter(ConvexParts parts, double resolution, double area) {
-    double[] out = new double[0];
     int[] starts = new int[parts.count() + 1];
     int count = 0;
     int total = 0;
@@ -44,7 +44,9 @@ final class PartFilter {
       }
     }
     ConvexParts left =
-        new ConvexParts(Arrays.copyOf(out, 2 * total), Arrays.copyOf(starts, count + 1));
+        count == parts.count() && total == parts.vertexCount()
+            ? parts
+            : new ConvexParts(Arrays.copyOf(out, 2 * total), Arrays.copyOf(starts, count + 1));
     double farthest = OutlineSimplifier.FARTHEST * resolution;
     if (!stretch.choose(out, total, left.totalArea(), area, farthest) || stretch.growth() < 0) {
       return left;

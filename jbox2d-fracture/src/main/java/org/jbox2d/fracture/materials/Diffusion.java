@@ -3,6 +3,7 @@ package org.jbox2d.fracture.materials;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.fracture.Material;
 import org.jbox2d.fracture.SiteRandom;
+import org.jbox2d.fracture.geometry.Angles;
 
 /**
  * Sites in logarithmic polar coordinates around the contact, the denser the nearer, stretched along
@@ -36,11 +37,12 @@ public class Diffusion extends Material {
     float uy = speed > 0f ? contactVector.y / speed : 1f;
     float stretch = speed > 0f ? STRETCH : 1f;
     Vec2[] sites = new Vec2[SITES];
+    double[] direction = new double[2];
     for (int i = 0; i < SITES; i++) {
-      double angle = 2 * Math.PI * random.centred();
-      double radius = -StrictMath.log(random.positiveUnit()) * m_shattering;
-      float across = (float) (StrictMath.sin(angle) * radius);
-      float along = (float) (StrictMath.cos(angle) * radius) * stretch;
+      Angles.direction(2 * Math.PI * random.centred(), direction);
+      double radius = -Angles.log(random.positiveUnit()) * m_shattering;
+      float across = (float) (direction[1] * radius);
+      float along = (float) (direction[0] * radius) * stretch;
       sites[i] =
           new Vec2(
               contactPoint.x + across * uy + along * ux, contactPoint.y - across * ux + along * uy);

@@ -3,6 +3,7 @@ package org.jbox2d.fracture.materials;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.fracture.Material;
 import org.jbox2d.fracture.SiteRandom;
+import org.jbox2d.fracture.geometry.Angles;
 
 /**
  * Sites on circles around the contact, with a little noise (thesis, section 7.2.3): {@code rad_i =
@@ -29,14 +30,15 @@ public class Glass extends Material {
   @Override
   public Vec2[] focee(Vec2 contactPoint, Vec2 contactVector, SiteRandom random) {
     Vec2[] sites = new Vec2[CIRCLES * SITES_PER_CIRCLE];
+    double[] direction = new double[2];
     for (int i = 0; i < sites.length; i++) {
       int circle = 1 + i / SITES_PER_CIRCLE;
-      double angle = 2 * Math.PI * random.centred();
+      Angles.direction(2 * Math.PI * random.centred(), direction);
       double radius = circle * m_shattering + random.centred() * m_shattering * NOISE;
       sites[i] =
           new Vec2(
-              contactPoint.x + (float) (StrictMath.sin(angle) * radius),
-              contactPoint.y + (float) (StrictMath.cos(angle) * radius));
+              contactPoint.x + (float) (direction[1] * radius),
+              contactPoint.y + (float) (direction[0] * radius));
     }
     return sites;
   }

@@ -3,6 +3,7 @@ package org.jbox2d.fracture.materials;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.fracture.Material;
 import org.jbox2d.fracture.SiteRandom;
+import org.jbox2d.fracture.geometry.Angles;
 
 /**
  * Glass hit hard: straight cracks run out from the contact, and rings of cracks join them, the
@@ -60,8 +61,8 @@ public class Radial extends Material {
     double[] radii = radii(ratio, random);
     Vec2[] sites = new Vec2[spokes * radii.length];
     for (int i = 0; i < spokes; i++) {
-      double x = StrictMath.cos(angles[i]);
-      double y = StrictMath.sin(angles[i]);
+      double x = Angles.cos(angles[i]);
+      double y = Angles.sin(angles[i]);
       for (int k = 0; k < radii.length; k++) {
         sites[i * radii.length + k] =
             new Vec2(

@@ -203,6 +203,34 @@ class FragmenterTest {
     }
   }
 
+  /** Sites outside of the box have numbers as well. */
+  @Test
+  void piecesOfSeveralSitesAreUnionsOfTheirCells() {
+    java.util.Random random = new java.util.Random(11);
+    for (int c = 0; c < 50; c++) {
+      int n = 40 + random.nextInt(200);
+      double[] sites = new double[2 * n];
+      int[] numbers = new int[n];
+      for (int i = 0; i < n; i++) {
+        sites[2 * i] = 6 * random.nextDouble() - 3;
+        sites[2 * i + 1] = 6 * random.nextDouble() - 3;
+        numbers[i] = random.nextInt(6) - 1;
+      }
+      double[] expected = new double[6];
+      Fragmenter fragmenter = new Fragmenter();
+      fragmenter
+          .fragment(BOX, sites, n, EVERYWHERE, PieceLimits.NONE)
+          .fragments()
+          .forEach(f -> expected[numbers[f.site()] + 1] += f.outline().area());
+      Fragmentation united =
+          fragmenter.fragment(BOX, sites, numbers, n, EVERYWHERE, PieceLimits.NONE);
+      assertNull(FragmentationOracle.fault(BOX, united, 1e-12, true), "case " + c);
+      double[] found = new double[6];
+      united.fragments().forEach(f -> found[numbers[f.site()] + 1] += f.outline().area());
+      org.junit.jupiter.api.Assertions.assertArrayEquals(expected, found, 1e-12, "case " + c);
+    }
+  }
+
   static List<org.jbox2d.fracture.geometry.WktOutlines.Line> handPicked()
       throws java.io.IOException {
     return org.jbox2d.fracture.geometry.WktOutlines.read("valid.wkt");

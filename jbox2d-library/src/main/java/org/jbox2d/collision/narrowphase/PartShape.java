@@ -58,6 +58,9 @@ public final class PartShape extends PolygonShape {
    *     of them share an edge
    */
   public static PartShape[] link(Shape[] shapes) {
+    if (shapes.length < 2) {
+      return null;
+    }
     PartShape[] parts = new PartShape[shapes.length];
     for (int i = 0; i < parts.length; i++) {
       if (shapes[i] instanceof PolygonShape
@@ -70,7 +73,8 @@ public final class PartShape extends PolygonShape {
     for (int i = 0; i < parts.length; i++) {
       for (int j = i + 1; j < parts.length; j++) {
         if (parts[i] != null && parts[j] != null && near(bounds, 4 * i, 4 * j)) {
-          linked |= parts[i].findAcross(parts[j]) | parts[j].findAcross(parts[i]);
+          linked |= parts[i].findAcross(parts[j], bounds, 4 * j);
+          linked |= parts[j].findAcross(parts[i], bounds, 4 * i);
         }
       }
     }
@@ -111,12 +115,19 @@ public final class PartShape extends PolygonShape {
         && bounds[j + 1] <= bounds[i + 3];
   }
 
-  /** Finds the edges that lie on an edge of another part. */
-  private boolean findAcross(PartShape other) {
+  /** Finds the edges that lie on an edge of another part: inside its bounds, and opposite to it. */
+  private boolean findAcross(PartShape other, float[] bounds, int j) {
     boolean found = false;
     for (int i = 0; i < m_count; i++) {
+      Vec2 from = m_vertices[i];
+      Vec2 to = m_vertices[next(i)];
+      if (across[i] != null || !isInside(from, bounds, j) || !isInside(to, bounds, j)) {
+        continue;
+      }
+      Vec2 n = m_normals[i];
       for (int k = 0; k < other.m_count && across[i] == null; k++) {
-        if (other.covers(k, m_vertices[i], m_vertices[next(i)])) {
+        Vec2 otherNormal = other.m_normals[k];
+        if (n.x * otherNormal.x + n.y * otherNormal.y < 0f && other.covers(k, from, to)) {
           across[i] = other;
           found = true;
         }
@@ -125,11 +136,20 @@ public final class PartShape extends PolygonShape {
     return found;
   }
 
+  /** A point on an edge is inside the bounds but for one more tolerance. */
+  private static boolean isInside(Vec2 v, float[] bounds, int j) {
+    float tolerance = SEAM_TOLERANCE * Settings.linearSlop;
+    return v.x >= bounds[j] - tolerance
+        && v.x <= bounds[j + 2] + tolerance
+        && v.y >= bounds[j + 1] - tolerance
+        && v.y <= bounds[j + 3] + tolerance;
+  }
+
   /** Whether edge k, run backwards, contains the way from {@code from} to {@code to}. */
   private boolean covers(int k, Vec2 from, Vec2 to) {
     Vec2 start = m_vertices[k];
     Vec2 end = m_vertices[next(k)];
-    if (start.equals(to) && end.equals(from)) {
+    if (start.x == to.x && start.y == to.y && end.x == from.x && end.y == from.y) {
       return true;
     }
     Vec2 n = m_normals[k];

@@ -25,6 +25,9 @@ final class ConvexHull {
   private final double[] y;
   private int count;
 
+  /** The vertex that comes first. */
+  private int start;
+
   private ConvexHull(int capacity) {
     x = new double[capacity];
     y = new double[capacity];
@@ -49,14 +52,17 @@ final class ConvexHull {
               + " are, from "
               + points[0]);
     }
-    hull.sortByX();
-    hull.wrap();
-    hull.dropCollinear(COLLINEAR_TOLERANCE * reach);
+    double tolerance = COLLINEAR_TOLERANCE * reach;
+    if (!hull.isWrapped(tolerance)) {
+      hull.sortByX();
+      hull.wrap();
+      hull.dropCollinear(tolerance);
+    }
     if (hull.count < 3) {
       throw new IllegalArgumentException(
           "a polygon needs an area, but its " + n + " points are collinear, from " + points[0]);
     }
-    hull.startAtLowestOfRightmost();
+    hull.findLowestOfRightmost();
     return hull;
   }
 
@@ -65,8 +71,10 @@ final class ConvexHull {
   }
 
   void copyTo(Vec2[] vertices) {
+    int from = start;
     for (int i = 0; i < count; i++) {
-      vertices[i].set((float) x[i], (float) y[i]);
+      vertices[i].set((float) x[from], (float) y[from]);
+      from = from + 1 < count ? from + 1 : 0;
     }
   }
 
@@ -110,6 +118,26 @@ final class ConvexHull {
       }
     }
     return false;
+  }
+
+  /**
+   * Whether the points are the hull already, with nothing to drop: each sticks out to the right of
+   * the way from its neighbour before it to that after it, and the way around turns from leftwards
+   * to rightwards only once.
+   */
+  private boolean isWrapped(double tolerance) {
+    int turns = 0;
+    boolean wasLeftwards = x[0] < x[count - 1];
+    for (int i = 0; i < count; i++) {
+      int after = i == count - 1 ? 0 : i + 1;
+      boolean leftwards = x[after] < x[i];
+      turns += wasLeftwards && !leftwards ? 1 : 0;
+      wasLeftwards = leftwards;
+      if (!(heightOverNeighbours(i) > tolerance)) {
+        return false;
+      }
+    }
+    return turns == 1;
   }
 
   /** Insertion sort by x, then y: there are a handful of points. */
@@ -197,19 +225,12 @@ final class ConvexHull {
     return turn(before, i, after) / Math.sqrt(dx * dx + dy * dy);
   }
 
-  private void startAtLowestOfRightmost() {
-    int start = 0;
+  private void findLowestOfRightmost() {
+    start = 0;
     for (int i = 1; i < count; i++) {
       if (x[i] > x[start] || x[i] == x[start] && y[i] < y[start]) {
         start = i;
       }
-    }
-    double[] oldX = x.clone();
-    double[] oldY = y.clone();
-    for (int i = 0; i < count; i++) {
-      int from = (start + i) % count;
-      x[i] = oldX[from];
-      y[i] = oldY[from];
     }
   }
 }
