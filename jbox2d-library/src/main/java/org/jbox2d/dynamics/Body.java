@@ -588,7 +588,8 @@ public class Body {
   public final void setBullet(boolean flag) {
     boolean was = isObstacle();
     m_flags = flag ? m_flags | e_bulletFlag : m_flags & ~e_bulletFlag;
-    if (isObstacle() != was) {
+    if (isObstacle() != was && m_world != null) {
+      m_world.bodies.obstacles += was ? -1 : 1;
       BodyContacts.countObstacle(this, !was);
     }
   }

@@ -37,7 +37,9 @@ final class BodyChanges {
   static void become(Body b, BodyType type) {
     BodyContacts.destroy(b, null);
     b.m_world.awake.remove(b);
+    b.m_world.bodies.obstacles -= b.isObstacle() ? 1 : 0;
     b.m_type = type;
+    b.m_world.bodies.obstacles += b.isObstacle() ? 1 : 0;
     b.resetMassData();
     if (type == BodyType.STATIC) {
       b.m_linearVelocity.setZero();

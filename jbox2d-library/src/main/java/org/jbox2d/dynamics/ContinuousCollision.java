@@ -99,6 +99,10 @@ final class ContinuousCollision implements TreeCallback {
   }
 
   void solve(StepConfig step) {
+    if (world.bodies.obstacles == 0) {
+      // Nothing stops anything within a step.
+      return;
+    }
     this.step = step;
     profile = world.profile;
     margin = Settings.aabbExtension;

@@ -59,7 +59,7 @@ public class World {
   private final Vec2 gravity = new Vec2();
   private final IWorldPool pool;
 
-  private final WorldBodies bodies;
+  final WorldBodies bodies;
   private final WorldJoints joints;
   private final WorldRayCast rayCast;
   private final StepPhases phases;

@@ -11,6 +11,9 @@ final class WorldBodies {
 
   int count;
 
+  /** How many of them stop others within a step; see {@link Body#isObstacle}. */
+  int obstacles;
+
   private final World world;
 
   WorldBodies(World world) {
@@ -26,6 +29,7 @@ final class WorldBodies {
     }
     list = b;
     count++;
+    obstacles += b.isObstacle() ? 1 : 0;
     world.awake.enter(b);
     return b;
   }
@@ -52,6 +56,7 @@ final class WorldBodies {
     }
     body.m_world = null;
     count--;
+    obstacles -= body.isObstacle() ? 1 : 0;
   }
 
   private void destroyJoints(Body body) {

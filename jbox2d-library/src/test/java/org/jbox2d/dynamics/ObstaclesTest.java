@@ -37,7 +37,9 @@ class ObstaclesTest {
         }
       }
       world.step(1 / 60f, 2, 2);
+      int inWorld = 0;
       for (Body body : bodies) {
+        inWorld += body.getType() != BodyType.DYNAMIC || body.isBullet() ? 1 : 0;
         int obstacles = 0;
         for (ContactEdge e = body.getContactList(); e != null; e = e.next) {
           obstacles += e.other.getType() != BodyType.DYNAMIC || e.other.isBullet() ? 1 : 0;
@@ -45,6 +47,7 @@ class ObstaclesTest {
         assertEquals(obstacles, body.obstacles);
         most = Math.max(most, obstacles);
       }
+      assertEquals(inWorld, world.bodies.obstacles);
     }
     assertTrue(most > 1);
   }
