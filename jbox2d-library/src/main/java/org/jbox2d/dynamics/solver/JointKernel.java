@@ -62,6 +62,11 @@ public abstract class JointKernel {
   public abstract void solveVelocity(
       JointRows rows, int from, int to, SolverBodies bodies, StepConfig step);
 
+  /** Whether positions are corrected in each substep, not only in the last of a step. */
+  boolean isCorrectedOften() {
+    return false;
+  }
+
   /**
    * One position iteration.
    *

@@ -93,6 +93,12 @@ public final class WeldKernel extends JointKernel {
     }
   }
 
+  /** A beam of welds sags by what is left of each. */
+  @Override
+  boolean isCorrectedOften() {
+    return true;
+  }
+
   @Override
   public void prepare(JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
     float[] f = rows.f;
