@@ -8,6 +8,9 @@ import org.jbox2d.dynamics.solver.StepConfig;
  * sleep. The world is locked while they run.
  */
 final class StepPhases {
+  /** Share of its old self down to which gravity may shrink in a step without more ado. */
+  private static final float MOST_LOSS = 0.5f;
+
   Solver solver = Solver.sequentialImpulses();
   boolean allowSleep = true;
   boolean warmStarting = true;
@@ -23,6 +26,8 @@ final class StepPhases {
   private final IslandSolver islandSolver;
   private final ContinuousCollision continuous;
   private float lastInvDt;
+  private float lastGravityX;
+  private float lastGravityY;
 
   StepPhases(World world) {
     this.world = world;
@@ -43,7 +48,7 @@ final class StepPhases {
     config.dt = dt;
     config.invDt = dt > 0f ? 1f / dt : 0f;
     config.invStep = config.invDt;
-    config.dtRatio = lastInvDt * dt;
+    config.dtRatio = lastInvDt * dt * keptShare(gravity);
     config.velocityIterations = velocityIterations;
     config.positionIterations = positionIterations;
     config.warmStarting = warmStarting;
@@ -57,6 +62,17 @@ final class StepPhases {
       config.skinShare = 0.5f;
       config.maxTranslation = Float.MAX_VALUE;
     }
+  }
+
+  /**
+   * Share of the impulses of the last step to start from: what they carried is mostly weight. Where
+   * gravity has been taken away or turned about they would throw up what they held. Where it but
+   * rocks, all are kept: iterations cope with too much of them better than with too little.
+   */
+  private float keptShare(Vec2 gravity) {
+    float before = lastGravityX * lastGravityX + lastGravityY * lastGravityY;
+    float along = lastGravityX * gravity.x + lastGravityY * gravity.y;
+    return along >= MOST_LOSS * before ? 1f : Math.max(0f, along / before);
   }
 
   /** Does the step that has been begun. */
@@ -73,6 +89,8 @@ final class StepPhases {
         islandSolver.updateSleep(config);
       }
       lastInvDt = config.invDt;
+      lastGravityX = config.gravityX;
+      lastGravityY = config.gravityY;
     }
     world.awake.letLeave();
   }
