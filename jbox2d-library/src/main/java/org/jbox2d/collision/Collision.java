@@ -50,11 +50,22 @@ public class Collision {
   private final DistanceInput distanceInput = new DistanceInput();
   private final DistanceOutput distanceOutput = new DistanceOutput();
   private final SimplexCache cache = new SimplexCache();
+  private int pass;
 
   public Collision() {}
 
   /** As {@link #Collision()}; the pool is not used, and is taken for compatibility. */
   public Collision(IWorldPool argPool) {}
+
+  /** Engine-internal: another pass over all contacts begins. */
+  public final void beginPass() {
+    pass++;
+  }
+
+  /** Engine-internal: number of the pass; what is looked at once in each remembers it. */
+  public final int pass() {
+    return pass;
+  }
 
   /**
    * Whether two shapes touch or overlap, skins included.

@@ -222,6 +222,7 @@ public class ContactManager implements PairCallback, KnownPairs {
     // Far above the rounding of the boxes and of the narrow phase, so that nothing that touches is
     // passed over.
     float slop = Settings.linearSlop;
+    world.getPool().getCollision().beginPass();
     int mask = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG;
     int i = 0;
     while (i < activeCount) {

@@ -4,7 +4,9 @@ import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.collision.RayCastOutput;
 import org.jbox2d.collision.broadphase.BroadPhase;
+import org.jbox2d.collision.narrowphase.KeptManifold;
 import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.collision.shapes.ShapeType;
 import org.jbox2d.common.Transform;
@@ -66,6 +68,8 @@ public class Fixture {
 
   private final Vec2 displacement = new Vec2();
   private CompoundShape compound;
+  private int summedPass = -1;
+  private int shapeSum;
 
   /** A fixture that belongs to no body; use {@link Body#createFixture}. */
   public Fixture() {}
@@ -307,6 +311,18 @@ public class Fixture {
       proxy.proxyId = BroadPhase.NULL_PROXY;
     }
     m_proxyCount = 0;
+  }
+
+  /**
+   * Engine-internal: checksum of a polygon, to be told when a program has changed it in place; it
+   * is summed once in each pass over the contacts.
+   */
+  public final int polygonChecksum(int pass) {
+    if (summedPass != pass) {
+      summedPass = pass;
+      shapeSum = KeptManifold.checksum((PolygonShape) m_shape);
+    }
+    return shapeSum;
   }
 
   /**

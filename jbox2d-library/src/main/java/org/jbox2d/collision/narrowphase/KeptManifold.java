@@ -22,7 +22,9 @@ import org.jbox2d.common.Vec2;
  *
  * <pre>  |t - t0| + |R - R0| max |w|,   |R - R0|^2 = (c - c0)^2 + (s - s0)^2</pre>
  *
- * <p>Programs may change shapes in place, and a listener the manifold; both are told by a checksum.
+ * <p>Programs may change shapes in place, and a listener the manifold; both are told by checksums:
+ * that of a shape is taken once a step, however many contacts it has, that of the manifold after
+ * the listener has had it.
  */
 public final class KeptManifold {
   /**
@@ -54,7 +56,8 @@ public final class KeptManifold {
   /** How far a point of B may go, m; 0 if nothing is kept. */
   private float room;
 
-  private int checksum;
+  private int shapes;
+  private int content;
 
   /** Keeps nothing. */
   public void forget() {
@@ -65,6 +68,7 @@ public final class KeptManifold {
    * Keeps a manifold that has just been made, if it is likely to be good for longer.
    *
    * @param separation of the polygons, without their skins, at least, m
+   * @param shapes {@link #checksum(PolygonShape)} of both polygons, {@link #joined}
    */
   public void keep(
       Manifold manifold,
@@ -72,7 +76,8 @@ public final class KeptManifold {
       Transform xfA,
       PolygonShape b,
       Transform xfB,
-      float separation) {
+      float separation,
+      int shapes) {
     float cA = xfA.q.c;
     float sA = xfA.q.s;
     float gx = xfB.p.x - xfA.p.x;
@@ -91,7 +96,8 @@ public final class KeptManifold {
       c = cA * xfB.q.c + sA * xfB.q.s;
       s = cA * xfB.q.s - sA * xfB.q.c;
       reach = reach(b);
-      checksum = checksum(manifold, a, b);
+      this.shapes = shapes;
+      content = checksum(manifold);
       room = way;
     } else {
       room = 0f;
@@ -108,9 +114,8 @@ public final class KeptManifold {
     return (float) Math.sqrt(most);
   }
 
-  /** Whether the manifold that was kept is good for these places too. */
-  public boolean isGood(
-      Manifold manifold, PolygonShape a, Transform xfA, PolygonShape b, Transform xfB) {
+  /** Whether the manifold that was kept is good for these places too, if the shapes are as then. */
+  public boolean isGood(Transform xfA, Transform xfB) {
     if (room == 0f) {
       return false;
     }
@@ -123,13 +128,42 @@ public final class KeptManifold {
     float dx = cA * gx + sA * gy - tx;
     float dy = cA * gy - sA * gx - ty;
     // (p + q)^2 is at most 2 p^2 + 2 q^2.
-    return 2f * (dx * dx + dy * dy + reach * reach * (dc * dc + ds * ds)) < room * room
-        && checksum == checksum(manifold, a, b);
+    return 2f * (dx * dx + dy * dy + reach * reach * (dc * dc + ds * ds)) < room * room;
   }
 
-  private static int checksum(Manifold manifold, PolygonShape a, PolygonShape b) {
-    int sum = of(a) + FACTOR_X * of(b);
+  /**
+   * Whether the polygons are as they were when the manifold was kept.
+   *
+   * @param shapes as in {@link #keep}
+   */
+  public boolean isOf(int shapes) {
+    return this.shapes == shapes;
+  }
+
+  /** Forgets a manifold that is no longer what was kept. */
+  public void forgetIfChanged(Manifold manifold) {
+    if (room != 0f && content != checksum(manifold)) {
+      forget();
+    }
+  }
+
+  /** One number for the checksums of A and B. */
+  public static int joined(int a, int b) {
+    return a + FACTOR_X * b;
+  }
+
+  /** Tells polygons apart, by all but certainty. */
+  public static int checksum(PolygonShape polygon) {
+    int sum = Float.floatToRawIntBits(polygon.m_radius);
+    for (int i = 0; i < polygon.m_count; i++) {
+      sum = FACTOR_X * sum + of(polygon.m_vertices[i]);
+    }
+    return sum;
+  }
+
+  private static int checksum(Manifold manifold) {
     int n = manifold.pointCount;
+    int sum = n;
     if (n > 0) {
       sum = FACTOR_X * sum + manifold.type.ordinal();
       sum = FACTOR_X * sum + of(manifold.localNormal);
@@ -138,14 +172,6 @@ public final class KeptManifold {
         ManifoldPoint p = manifold.points[i];
         sum = FACTOR_X * sum + of(p.localPoint) + p.id.getKey();
       }
-    }
-    return FACTOR_X * sum + n;
-  }
-
-  private static int of(PolygonShape polygon) {
-    int sum = Float.floatToRawIntBits(polygon.m_radius);
-    for (int i = 0; i < polygon.m_count; i++) {
-      sum = FACTOR_X * sum + of(polygon.m_vertices[i]);
     }
     return sum;
   }

@@ -276,6 +276,9 @@ public abstract class Contact {
   /** Notes that {@link #m_manifold} has been evaluated at these transforms. */
   void keep(Transform xfA, Transform xfB) {}
 
+  /** A listener may have changed {@link #m_manifold}. */
+  void lookAtManifold() {}
+
   /** Marks the contact for filtering before the next step. */
   public void flagForFiltering() {
     m_flags |= FILTER_FLAG;
@@ -299,6 +302,7 @@ public abstract class Contact {
     }
     if (touching && !sensor && listener != null) {
       listener.preSolve(this, oldManifold);
+      lookAtManifold();
       if (!isEnabled()) {
         m_lastImpulse = 0f;
       }

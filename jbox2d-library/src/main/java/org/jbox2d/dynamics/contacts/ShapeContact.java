@@ -107,14 +107,13 @@ public final class ShapeContact extends Contact {
 
   @Override
   boolean isGood(Transform xfA, Transform xfB) {
-    return pair == POLYGONS
-        && kept != null
-        && kept.isGood(
-            m_manifold,
-            (PolygonShape) m_fixtureA.m_shape,
-            xfA,
-            (PolygonShape) m_fixtureB.m_shape,
-            xfB);
+    return pair == POLYGONS && kept != null && kept.isGood(xfA, xfB) && kept.isOf(shapes());
+  }
+
+  /** Checksum of both polygons. */
+  private int shapes() {
+    int pass = pool.getCollision().pass();
+    return KeptManifold.joined(m_fixtureA.polygonChecksum(pass), m_fixtureB.polygonChecksum(pass));
   }
 
   @Override
@@ -131,7 +130,15 @@ public final class ShapeContact extends Contact {
         xfA,
         (PolygonShape) m_fixtureB.m_shape,
         xfB,
-        pool.getCollision().separationOfPolygons());
+        pool.getCollision().separationOfPolygons(),
+        shapes());
+  }
+
+  @Override
+  void lookAtManifold() {
+    if (kept != null) {
+      kept.forgetIfChanged(m_manifold);
+    }
   }
 
   @Override
