@@ -237,13 +237,22 @@ final class IslandSolver {
   // --- Solve ---
 
   private void solveVelocities(StepConfig step) {
+    islands.groupBodies();
+    int[] b = islands.bodyStart;
     int[] c = islands.contactStart;
     int[] j = islands.jointStart;
     for (int k = 0; k < islands.count; k++) {
       if (c[k] < c[k + 1] || j[k] < j[k + 1]) {
+        boolean checked = step.warmStarting && j[k] == j[k + 1];
+        if (checked) {
+          sequential.noteEnergy(islands.bodies, b[k], b[k + 1]);
+        }
         sequential.prepare(c[k], c[k + 1], j[k], j[k + 1], step);
         BounceTiming.correct(constraints, islands.contacts, c[k], c[k + 1], 0f, step);
         sequential.solveVelocities(c[k], c[k + 1], j[k], j[k + 1], step);
+        if (checked) {
+          sequential.takeGain(islands.bodies, b[k], b[k + 1], c[k], c[k + 1], step);
+        }
       }
     }
   }

@@ -12,14 +12,24 @@ public final class SequentialImpulses {
   /** A step is done with an island when no point is deeper than this many slops. */
   private static final float ACCEPTED_SLOPS = 3f;
 
+  /** How often the velocity iterations of an island that has gained energy are done again. */
+  private static final int MOST_ROUNDS = 4;
+
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
   private final JointRows joints;
+  private final EnergyBooks energy;
 
   public SequentialImpulses(SolverBodies bodies, ContactConstraints contacts, JointRows joints) {
     this.bodies = bodies;
     this.contacts = contacts;
     this.joints = joints;
+    energy = new EnergyBooks(bodies, contacts);
+  }
+
+  /** Notes the energy of an island's bodies {@code slots[b0, b1)} before it is prepared. */
+  public void noteEnergy(int[] slots, int b0, int b1) {
+    energy.open(slots, b0, b1);
   }
 
   /** Prepares and warm starts one island: contacts {@code [c0, c1)}, joints {@code [j0, j1)}. */
@@ -32,6 +42,19 @@ public final class SequentialImpulses {
       int end = joints.endOfRun(r, j1);
       joints.kernel[r].prepare(joints, r, end, bodies, step);
       r = end;
+    }
+  }
+
+  /**
+   * Iterates on where an island without joints has more energy than was noted; see {@link
+   * EnergyBooks}.
+   */
+  public void takeGain(int[] slots, int b0, int b1, int c0, int c1, StepConfig step) {
+    if (!energy.isExceeded(slots, b0, b1) || energy.isDriven(c0, c1)) {
+      return;
+    }
+    for (int n = 0; n < MOST_ROUNDS && energy.isExceeded(slots, b0, b1); n++) {
+      solveVelocities(c0, c1, 0, 0, step);
     }
   }
 

@@ -181,6 +181,20 @@ final class SoftContactKernel {
     changed = fastest;
   }
 
+  /** Takes the impulses of a substep out of a constraint, and out of their sums. */
+  void drop(ContactConstraints cc, int i) {
+    float[] d = cc.vel;
+    int s = S_STRIDE * i;
+    int o = V_STRIDE * i + POINT;
+    cc.sub[s + S_TANGENT_SUM] -= d[o + TANGENT_IMPULSE];
+    d[o + TANGENT_IMPULSE] = 0f;
+    for (int j = 0; j < cc.pointCount[i]; j++) {
+      int p = o + POINT_STRIDE * j + NORMAL_IMPULSE;
+      cc.sub[s + S_NORMAL_SUM + j] -= d[p];
+      d[p] = 0f;
+    }
+  }
+
   /** Speed at which a point may come nearer: what is left of its separation, over the substep. */
   private float room(ContactConstraints cc, SolverBodies bodies, int i, int a, int b, int point) {
     float[] x = bodies.delta;
