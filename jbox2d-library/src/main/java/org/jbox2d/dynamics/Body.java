@@ -134,6 +134,14 @@ public class Body {
   /** How many impacts the continuous phase has handled for this body in the current step. */
   int impacts;
 
+  /**
+   * In how many steps in a row the continuous phase has stopped it, the last one {@link #heldAt}.
+   */
+  int heldSteps;
+
+  /** See {@link #heldSteps}. */
+  int heldAt;
+
   /** By how much the body catches up in this step; {@code null} if it does not. */
   Laggards.Lag lag;
 

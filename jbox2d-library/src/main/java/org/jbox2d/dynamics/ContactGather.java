@@ -55,8 +55,11 @@ final class ContactGather {
     d[o + RADIUS_A] = c.m_radiusA;
     d[o + RADIUS_B] = c.m_radiusB;
     d[o + P_REST] = restDepth(c, step);
-    // Polygons that rest closer than their skins would catch on the corner of the next tile.
-    boolean corner = manifold.corner && step.skinShare > 0f;
+    // Polygons that rest closer than their skins would catch on the corner of the next tile. Where
+    // a corner has stopped a body, it is none of those, and nothing else would solve the impact.
+    boolean left = (c.m_flags & Contact.LEFT_FLAG) != 0;
+    c.m_flags &= ~Contact.LEFT_FLAG;
+    boolean corner = manifold.corner && step.skinShare > 0f && !left;
     boolean polygons = c.m_skin == c.m_radiusA + c.m_radiusB;
     cc.manifoldPoints[i] = corner && polygons ? 0 : manifold.pointCount;
     cc.corner[i] = corner;

@@ -84,7 +84,8 @@ final class ImpactCheck {
 
   /**
    * How far a point of the hit comes nearer on the rest of the way, m, at most: by the velocities,
-   * or by the body's way, which the position solver has made a different one.
+   * or by the body's way, which the position solver has made a different one. A body with joints is
+   * not sent on by its velocity, so its way alone counts.
    */
   private float approach(Body b, Body o, float t, float h) {
     Sweep s = b.m_sweep;
@@ -97,9 +98,11 @@ final class ImpactCheck {
       Vec2 p = hit.points[i];
       float other =
           along(o, p, h * o.m_linearVelocity.x, h * o.m_linearVelocity.y, h * o.m_angularVelocity);
-      float fast = along(b, p, h * v.x, h * v.y, h * b.m_angularVelocity);
       float far = along(b, p, wayX, wayY, turn);
-      most = Math.max(most, other - Math.min(fast, far));
+      if (b.m_jointList == null) {
+        far = Math.min(far, along(b, p, h * v.x, h * v.y, h * b.m_angularVelocity));
+      }
+      most = Math.max(most, other - far);
     }
     return most;
   }

@@ -43,6 +43,12 @@ public abstract class Contact {
   /** Engine-internal: as of the last update one of the fixtures has a material. */
   public static final int WATCHED_FLAG = 0x0080;
 
+  /**
+   * Engine-internal: an impact here ended the step of bodies with joints before its time, and has
+   * been left to the next step.
+   */
+  public static final int LEFT_FLAG = 0x0100;
+
   /** State, of the {@code _FLAG} constants. */
   public int m_flags;
 
@@ -327,7 +333,7 @@ public abstract class Contact {
     if (touching) {
       m_flags |= TOUCHING_FLAG;
     } else {
-      m_flags &= ~TOUCHING_FLAG;
+      m_flags &= ~(TOUCHING_FLAG | LEFT_FLAG);
       m_lastImpulse = 0f;
     }
     if (listener != null) {
