@@ -13,6 +13,12 @@ final class AwakeSet {
   Body[] bodies = new Body[64];
   int count;
 
+  /**
+   * Rises with each change of what joints may tie together: the bodies here and their places, the
+   * joints, whether bodies are active.
+   */
+  int changes;
+
   private final ContactManager contacts;
 
   /** Bodies put to sleep by hand during a step. */
@@ -40,6 +46,7 @@ final class AwakeSet {
     if (count == bodies.length) {
       bodies = Arrays.copyOf(bodies, count + (count >> 1));
     }
+    changes++;
     body.awakeIndex = count;
     bodies[count++] = body;
   }
@@ -50,6 +57,7 @@ final class AwakeSet {
     if (i < 0) {
       return;
     }
+    changes++;
     Body last = bodies[--count];
     bodies[i] = last;
     last.awakeIndex = i;

@@ -37,6 +37,7 @@ final class BodyChanges {
   static void become(Body b, BodyType type) {
     BodyContacts.destroy(b, null);
     b.m_world.awake.remove(b);
+    b.m_world.awake.changes++;
     b.m_world.bodies.obstacles -= b.isObstacle() ? 1 : 0;
     b.m_type = type;
     b.m_world.bodies.obstacles += b.isObstacle() ? 1 : 0;
@@ -57,6 +58,7 @@ final class BodyChanges {
   /** Takes a body that is not active into the simulation. */
   static void activate(Body b) {
     b.m_flags |= Body.e_activeFlag;
+    b.m_world.awake.changes++;
     for (Fixture f = b.m_fixtureList; f != null; f = f.m_next) {
       f.createProxies(b.m_world.m_contactManager.m_broadPhase, b.m_xf);
     }
@@ -69,6 +71,7 @@ final class BodyChanges {
   /** Takes an active body out of the simulation. */
   static void deactivate(Body b) {
     b.m_flags &= ~Body.e_activeFlag;
+    b.m_world.awake.changes++;
     b.m_force.setZero();
     b.m_torque = 0f;
     BodyContacts.destroy(b, null);

@@ -2,7 +2,6 @@ package org.jbox2d.dynamics;
 
 import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.dynamics.contacts.Contact;
-import org.jbox2d.dynamics.joints.Joint;
 import org.jbox2d.dynamics.solver.ContactConstraints;
 import org.jbox2d.dynamics.solver.Effort;
 import org.jbox2d.dynamics.solver.JointRows;
@@ -224,13 +223,12 @@ final class IslandSolver {
 
   private void gatherJoints() {
     joints.clear();
+    for (int i = 0; i < islands.stillCount; i++) {
+      slotOf(islands.stillBodies[i]);
+    }
+    joints.masses = bodies.mass;
     for (int i = 0; i < islands.jointCount; i++) {
-      Joint joint = islands.joints[i];
-      for (int k = 0; k < joint.bodyCount(); k++) {
-        slotOf(joint.body(k));
-      }
-      joints.masses = bodies.mass;
-      joint.gather(joints);
+      islands.joints[i].gather(joints);
     }
   }
 

@@ -49,36 +49,33 @@ final class Islands {
   int[] jointStart = new int[65];
   int jointCount;
 
+  /** Bodies of these joints that do not move; one may occur several times. */
+  Body[] stillBodies = new Body[16];
+
+  int stillCount;
+
   private int slots;
   private int[] parent = new int[64];
   private Contact[] foundContacts = new Contact[64];
   private int[] foundContactSlot = new int[64];
   private Joint[] foundJoints = new Joint[16];
   private int[] foundJointSlot = new int[16];
+
+  /** Kernels of the joints found. */
+  private int[] foundJointKernel = new int[16];
+
+  /** The sets of bodies that joints alone make, as of {@link AwakeSet#changes}. */
+  private int[] jointParent = new int[64];
+
+  private int jointChanges;
   private int[] jointKeyStart = new int[64];
 
   /** Contacts of each island that have got their place. */
   private int[] placed = new int[64];
 
   void build(AwakeSet awake, ContactManager manager) {
-    contactCount = 0;
-    jointCount = 0;
-    materials = false;
-    int linkedBodies = 0;
-    int linkedContacts = 0;
-    int set = 0;
-    while (linkedBodies < awake.count || linkedContacts < manager.activeCount) {
-      for (set = initSets(set, awake.count); linkedBodies < awake.count; linkedBodies++) {
-        linkJoints(awake.bodies[linkedBodies]);
-        set = initSets(set, awake.count);
-      }
-      for (; linkedContacts < manager.activeCount; linkedContacts++) {
-        linkContact(manager.active[linkedContacts]);
-        set = initSets(set, awake.count);
-      }
-    }
-    for (int i = 0; i < jointCount; i++) {
-      foundJoints[i].m_islandFlag = false;
+    if (!buildWithSameJoints(awake, manager)) {
+      buildAnew(awake, manager);
     }
     number(awake.count);
     groupContacts();
@@ -86,14 +83,70 @@ final class Islands {
     slots = awake.count;
   }
 
-  private int initSets(int from, int to) {
+  /**
+   * Links what is awake as joints did in the last step, and contacts on top of that; returns
+   * whether that served.
+   */
+  private boolean buildWithSameJoints(AwakeSet awake, ContactManager manager) {
+    if (jointCount == 0 || awake.changes != jointChanges) {
+      return false;
+    }
+    contactCount = 0;
+    materials = false;
+    System.arraycopy(jointParent, 0, parent, 0, awake.count);
+    for (int i = 0; i < manager.activeCount; i++) {
+      linkContact(manager.active[i]);
+    }
+    // A body that a contact has woken may have joints.
+    return awake.changes == jointChanges;
+  }
+
+  private void buildAnew(AwakeSet awake, ContactManager manager) {
+    Arrays.fill(foundJoints, 0, jointCount, null);
+    Arrays.fill(joints, 0, Math.min(joints.length, jointCount), null);
+    Arrays.fill(stillBodies, 0, stillCount, null);
+    contactCount = 0;
+    jointCount = 0;
+    stillCount = 0;
+    materials = false;
+    int linkedBodies = 0;
+    int linkedContacts = 0;
+    initSets(0, awake.count);
+    while (linkedBodies < awake.count || linkedContacts < manager.activeCount) {
+      for (; linkedBodies < awake.count; linkedBodies++) {
+        linkJoints(awake.bodies[linkedBodies]);
+      }
+      if (linkedContacts == 0 && jointCount > 0) {
+        keepJointSets(awake);
+      }
+      for (; linkedContacts < manager.activeCount; linkedContacts++) {
+        linkContact(manager.active[linkedContacts]);
+      }
+    }
+    for (int i = 0; i < jointCount; i++) {
+      foundJoints[i].m_islandFlag = false;
+    }
+  }
+
+  /** Notes the sets that joints alone make. */
+  private void keepJointSets(AwakeSet awake) {
+    if (jointParent.length < awake.count) {
+      jointParent = new int[parent.length];
+    }
+    for (int i = 0; i < awake.count; i++) {
+      jointParent[i] = find(i);
+    }
+    jointChanges = awake.changes;
+  }
+
+  /** Makes each of some bodies a set of its own; {@link #link} does so for those it wakes. */
+  private void initSets(int from, int to) {
     if (to > parent.length) {
       parent = Arrays.copyOf(parent, to + (to >> 1));
     }
     for (int i = from; i < to; i++) {
       parent[i] = i;
     }
-    return Math.max(from, to);
   }
 
   private int find(int i) {
@@ -143,7 +196,11 @@ final class Islands {
       }
       int slot = -1;
       for (int i = 0; i < joint.bodyCount(); i++) {
-        slot = link(joint.body(i), slot);
+        Body b = joint.body(i);
+        slot = link(b, slot);
+        if (b.awakeIndex < 0) {
+          addStill(b);
+        }
       }
       if (slot < 0) {
         continue;
@@ -152,10 +209,19 @@ final class Islands {
       if (jointCount == foundJoints.length) {
         foundJoints = Arrays.copyOf(foundJoints, 2 * jointCount);
         foundJointSlot = Arrays.copyOf(foundJointSlot, 2 * jointCount);
+        foundJointKernel = Arrays.copyOf(foundJointKernel, 2 * jointCount);
       }
+      foundJointKernel[jointCount] = joint.kernelOrder();
       foundJoints[jointCount] = joint;
       foundJointSlot[jointCount++] = slot;
     }
+  }
+
+  private void addStill(Body body) {
+    if (stillCount == stillBodies.length) {
+      stillBodies = Arrays.copyOf(stillBodies, 2 * stillCount);
+    }
+    stillBodies[stillCount++] = body;
   }
 
   /**
@@ -273,7 +339,7 @@ final class Islands {
   }
 
   private int jointKey(int i) {
-    return islandOf[foundJointSlot[i]] * JointKernels.COUNT + foundJoints[i].kernelOrder();
+    return islandOf[foundJointSlot[i]] * JointKernels.COUNT + foundJointKernel[i];
   }
 
   /** Turns counts into the end of each group; entry n becomes the total. */
@@ -286,13 +352,13 @@ final class Islands {
     counts[n] = sum;
   }
 
-  /** Lets go of contacts and joints, so that destroyed ones can be collected. */
+  /**
+   * Lets go of contacts, so that destroyed ones can be collected. Joints are kept until they
+   * change.
+   */
   void release() {
     Arrays.fill(contacts, 0, contactCount, null);
     Arrays.fill(foundContacts, 0, contactCount, null);
-    Arrays.fill(joints, 0, Math.min(joints.length, jointCount), null);
-    Arrays.fill(foundJoints, 0, jointCount, null);
     contactCount = 0;
-    jointCount = 0;
   }
 }

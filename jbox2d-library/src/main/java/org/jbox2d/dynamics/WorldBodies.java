@@ -55,6 +55,7 @@ final class WorldBodies {
       body.m_next.m_prev = body.m_prev;
     }
     body.m_world = null;
+    world.awake.changes++;
     count--;
     obstacles -= body.isObstacle() ? 1 : 0;
   }

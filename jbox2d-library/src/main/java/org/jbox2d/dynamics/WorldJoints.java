@@ -96,7 +96,8 @@ final class WorldJoints {
     to.setAwake(true);
   }
 
-  private static void link(Joint j, JointEdge edge, Body body, Body other) {
+  private void link(Joint j, JointEdge edge, Body body, Body other) {
+    world.awake.changes++;
     edge.joint = j;
     edge.other = other;
     edge.prev = null;
@@ -107,7 +108,8 @@ final class WorldJoints {
     body.m_jointList = edge;
   }
 
-  private static void unlink(JointEdge edge, Body body) {
+  private void unlink(JointEdge edge, Body body) {
+    world.awake.changes++;
     if (edge.prev != null) {
       edge.prev.next = edge.next;
     } else {
