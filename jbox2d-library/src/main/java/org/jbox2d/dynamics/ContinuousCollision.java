@@ -46,17 +46,6 @@ final class ContinuousCollision implements TreeCallback {
    */
   private static final float MARGIN_SHARE = 0.5f;
 
-  /**
-   * For how many steps in a row bodies with joints may be stopped for the sake of contacts that a
-   * step has solved and whose approach it could not end. Where contact and joints hinder each other
-   * that takes some steps; where they contradict each other it never comes about, and the bodies
-   * would hang in the air for good while gravity adds to their velocities.
-   */
-  private static final int MOST_HELD = 6;
-
-  /** Share of a step up to which bodies that are stopped count as not having moved at all. */
-  private static final float HELD = 0.1f;
-
   private final World world;
   private final ImpactSearch search;
   private final ImpactCheck check = new ImpactCheck();
@@ -103,9 +92,6 @@ final class ContinuousCollision implements TreeCallback {
 
   private Body striker;
 
-  /** Number of steps so far; see {@link Body#heldAt}. */
-  private int steps;
-
   ContinuousCollision(World world) {
     this.world = world;
     search = new ImpactSearch(world.m_contactManager);
@@ -118,7 +104,7 @@ final class ContinuousCollision implements TreeCallback {
       return;
     }
     this.step = step;
-    steps++;
+    jointed.beginStep();
     profile = world.profile;
     margin = Settings.aabbExtension;
     slowWay = step.velocityThreshold * step.dt;
@@ -389,7 +375,9 @@ final class ContinuousCollision implements TreeCallback {
   /** Whether there is an impact that nobody objects to; if not, the contact is left out. */
   private boolean isHit(Body b, float h) {
     Contact c = search.contact;
-    if (!mustLetGo(b, c) && check.isImpact(b, search, h, step)) {
+    if (jointed.mustLetGo(b, search.time)) {
+      c.m_flags |= Contact.LEFT_FLAG;
+    } else if (check.isImpact(b, search, h, step)) {
       c.update(world.m_contactManager.m_contactListener);
       if (c.isTouching() && c.isEnabled()) {
         return true;
@@ -397,17 +385,6 @@ final class ContinuousCollision implements TreeCallback {
     }
     search.ignore(c);
     return false;
-  }
-
-  /** See {@link #MOST_HELD}. */
-  private boolean mustLetGo(Body b, Contact c) {
-    if (b.heldSteps < MOST_HELD || b.heldAt != steps - 1 || search.time > HELD) {
-      return false;
-    }
-    c.m_flags |= Contact.LEFT_FLAG;
-    jointed.collect(b);
-    noteHeld(0);
-    return true;
   }
 
   private void impact(Body b, Body o, float t, float alpha) {
@@ -437,17 +414,6 @@ final class ContinuousCollision implements TreeCallback {
     solver.solve(b, o, search.contact, alpha, step);
   }
 
-  /** Counts this step for the bodies that joints hold together, or goes on without. */
-  private void noteHeld(int more) {
-    for (int i = 0; i < jointed.count; i++) {
-      Body b = jointed.bodies[i];
-      if (b.heldAt != steps) {
-        b.heldSteps = b.heldAt == steps - 1 ? b.heldSteps + more : more;
-        b.heldAt = steps;
-      }
-    }
-  }
-
   private boolean isAmong(Body o) {
     for (int i = 0; i < jointed.count; i++) {
       if (jointed.bodies[i] == o) {
@@ -461,9 +427,6 @@ final class ContinuousCollision implements TreeCallback {
   private void stop(Body b, float t) {
     jointed.collect(b);
     jointed.stopAt(t);
-    if (t <= HELD) {
-      noteHeld(1);
-    }
     for (int i = 0; i < jointed.count; i++) {
       noteMoved(jointed.bodies[i]);
     }

@@ -13,8 +13,50 @@ final class JointedBodies {
   /** Marks the bodies collected, among {@link Body#m_flags}. */
   private static final int COLLECTED = 0x4000_0000;
 
+  /**
+   * For how many steps in a row bodies with joints may be stopped for the sake of contacts that a
+   * step has solved and whose approach it could not end. Where contact and joints hinder each other
+   * that takes some steps; where they contradict each other it never comes about, and the bodies
+   * would hang in the air for good while gravity adds to their velocities.
+   */
+  private static final int MOST_HELD = 6;
+
+  /** Share of a step up to which bodies that are stopped count as not having moved at all. */
+  private static final float HELD = 0.1f;
+
   Body[] bodies = new Body[16];
   int count;
+
+  /** Number of steps so far; see {@link Body#heldAt}. */
+  private int steps;
+
+  void beginStep() {
+    steps++;
+  }
+
+  /**
+   * Whether a body that would be stopped at the fraction {@code t} of its way has been held too
+   * long; see {@link #MOST_HELD}. Then it and what joints tie to it need not stop in this step.
+   */
+  boolean mustLetGo(Body b, float t) {
+    if (b.heldSteps < MOST_HELD || b.heldAt < steps - 1 || t > HELD) {
+      return false;
+    }
+    collect(b);
+    noteHeld(0);
+    return true;
+  }
+
+  /** Counts this step for the bodies collected, or goes on without. */
+  private void noteHeld(int more) {
+    for (int i = 0; i < count; i++) {
+      Body b = bodies[i];
+      if (b.heldAt != steps) {
+        b.heldSteps = b.heldAt == steps - 1 ? b.heldSteps + more : more;
+        b.heldAt = steps;
+      }
+    }
+  }
 
   /**
    * Collects a dynamic body and all dynamic ones that joints tie to it; ways through others do not
@@ -49,6 +91,9 @@ final class JointedBodies {
 
   /** Ends the way of the collected bodies at the fraction {@code t} of what was left of it. */
   void stopAt(float t) {
+    if (t <= HELD) {
+      noteHeld(1);
+    }
     for (int i = 0; i < count; i++) {
       Sweep s = bodies[i].m_sweep;
       s.c.x = s.c0.x + t * (s.c.x - s.c0.x);

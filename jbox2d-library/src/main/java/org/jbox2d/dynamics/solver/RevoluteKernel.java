@@ -181,11 +181,13 @@ public final class RevoluteKernel extends JointKernel {
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
       if (f[o + DRIVEN] + f[o + LIMITED] > 0f) {
         float turn = axialImpulse(f, o, v[b + 2] - v[a + 2], h);
-        float alongX = -f[o + EX] * turn;
-        float alongY = -f[o + EY] * turn;
-        f[o + IMPULSE_X] += alongX;
-        f[o + IMPULSE_Y] += alongY;
-        Arms.push(f, o, v, m, a, b, alongX, alongY, turn);
+        if (turn != 0f) {
+          float alongX = -f[o + EX] * turn;
+          float alongY = -f[o + EY] * turn;
+          f[o + IMPULSE_X] += alongX;
+          f[o + IMPULSE_Y] += alongY;
+          Arms.push(f, o, v, m, a, b, alongX, alongY, turn);
+        }
       }
       PinKernel.solveVelocity(f, o, o + M11, o + IMPULSE_X, f[o + MOST_BEND], v, m, a, b, step);
     }

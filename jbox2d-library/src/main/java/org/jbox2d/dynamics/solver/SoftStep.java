@@ -56,6 +56,12 @@ public final class SoftStep {
    */
   private static final float VIOLENT = 0.5f;
 
+  /**
+   * By which share of itself the speed that relaxing takes away must change from pass to pass, if
+   * another one is to be of use.
+   */
+  private static final float STALLED = 1e-3f;
+
   private final SolverBodies bodies;
   private final EnergyBooks energy;
   private final ContactConstraints contacts;
@@ -64,6 +70,10 @@ public final class SoftStep {
   private final StepConfig sub = new StepConfig();
 
   private boolean jointsSettled;
+
+  /** Whether the last push met contacts and joints that hinder each other. */
+  private boolean blow;
+
   private int capped;
 
   /** Places where bodies were when the step began: x, y, angle, unused. */
@@ -138,6 +148,9 @@ public final class SoftStep {
     int cappedBefore = capped;
     for (int n = 0; n < substeps; n++) {
       if (j0 < j1) {
+        if (n > 0 && blow) {
+          forgetImpulses(c0, c1);
+        }
         prepareJoints(j0, j1, slots, b0, b1);
         ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
       } else if (n == 0 || capped > cappedBefore) {
@@ -205,6 +218,7 @@ public final class SoftStep {
     contactKernel.push(contacts, bodies, c0, c1);
     float slops = j0 < j1 ? HARMLESS_SLOPS : VIOLENT_SLOPS;
     float harmless = slops * sub.linearSlop * sub.invDt;
+    blow = contactKernel.closing > harmless;
     for (int n = 1; n < MOST_PUSHES && contactKernel.closing > harmless; n++) {
       solveJoints(j0, j1);
       contactKernel.push(contacts, bodies, c0, c1);
@@ -212,14 +226,33 @@ public final class SoftStep {
   }
 
   /**
-   * Solves joints and relaxes contacts, as often as {@link #push} for the same reason; what is left
-   * stays for the next step.
+   * Lets a substep start without the impulses of the last one, which were those of a blow. The
+   * bodies have what it gave them; given once more, it would have to be taken back by joints and
+   * contacts together, and one pass over them leaves much of it: dolls that fell on the corner of a
+   * step were torn apart.
+   */
+  private void forgetImpulses(int c0, int c1) {
+    sub.warmStarting = false;
+    for (int i = c0; i < c1; i++) {
+      scaleImpulses(contacts.vel, V_STRIDE * i + POINT, 0f);
+      scaleImpulses(contacts.vel, V_STRIDE * i + POINT + POINT_STRIDE, 0f);
+    }
+  }
+
+  /**
+   * Solves joints and relaxes contacts, as often as {@link #push} for the same reason, but no
+   * longer than that changes anything; what is left stays for the next step.
    */
   private void relax(int c0, int c1, int j0, int j1) {
     solveJoints(j0, j1);
     contactKernel.relax(contacts, bodies, c0, c1, summed, false);
     float harmless = HARMLESS_SLOPS * sub.linearSlop * sub.invStep;
+    float before = 0f;
     for (int n = 1; j0 < j1 && n < MOST_PUSHES && contactKernel.changed > harmless; n++) {
+      if (Math.abs(contactKernel.changed - before) <= STALLED * before) {
+        break;
+      }
+      before = contactKernel.changed;
       solveJoints(j0, j1);
       contactKernel.relax(contacts, bodies, c0, c1, summed, true);
     }
