@@ -63,6 +63,8 @@ final class ContactGather {
     boolean polygons = c.m_skin == c.m_radiusA + c.m_radiusB;
     cc.manifoldPoints[i] = corner && polygons ? 0 : manifold.pointCount;
     cc.corner[i] = corner;
+    boolean round = step.skinShare > 0f && c.m_skin > 0f && !polygons;
+    d[o + P_ROUND] = round ? c.m_radiusA + c.m_radiusB - c.m_skin : 0f;
     int centreOfPlane = oA + 2;
     int centreOfPoints = oB + 2;
     switch (manifold.type) {
@@ -77,6 +79,11 @@ final class ContactGather {
         centreOfPlane = oB + 2;
         centreOfPoints = oA + 2;
         break;
+    }
+    if (round) {
+      // A disc rolls on the face itself, not on its skin: its arm would be too short for that.
+      d[o + (cc.kind[i] == FACE_B ? RADIUS_B : RADIUS_A)] = 0f;
+      d[o + P_REST] -= c.m_skin;
     }
     d[o + LOCAL_NX] = manifold.localNormal.x;
     d[o + LOCAL_NY] = manifold.localNormal.y;

@@ -70,6 +70,11 @@ public final class ContactConstraints {
   public static final int S_HOLD = 5;
   public static final int S_HELD_TANGENT_MASS = 7;
 
+  // The same two places, for a contact of one point: change of its separation with the square of
+  // the turns of A and B.
+  public static final int S_CURVE_A = 5;
+  public static final int S_CURVE_B = 6;
+
   public static final int P_STRIDE = 16;
 
   // Position record. Local points are relative to the centre of mass of their body. CIRCLES: the
@@ -93,6 +98,12 @@ public final class ContactConstraints {
 
   /** Overlap at rest, skins and slop together, for solvers with substeps, m. */
   public static final int P_REST = 14;
+
+  /** Radius of a circle that touches a face, 0 where polygons touch, m. */
+  public static final int P_ROUND = 15;
+
+  /** How far from a body's centre of mass a disc may be to turn on the spot, over its radius. */
+  private static final float CENTRED = 1e-3f;
 
   /** Kinds of manifold, as the position kernel tells them apart. */
   public static final int CIRCLES = 0;
@@ -122,6 +133,27 @@ public final class ContactConstraints {
   public float[] pos = new float[0];
   public float[] block = new float[0];
   public float[] sub = new float[0];
+
+  /**
+   * Whether the body in a slot touches here with a disc about its centre of mass, so that turning
+   * moves nothing of the contact. For solvers with substeps.
+   */
+  boolean isRoundAt(int i, int slot) {
+    int o = P_STRIDE * i;
+    if (slot == bodyA[i]) {
+      return kind[i] == CIRCLES
+          ? isCentred(o + PLANE_X, pos[o + RADIUS_A])
+          : kind[i] == FACE_B && isCentred(o + P1X, pos[o + P_ROUND]);
+    }
+    return kind[i] == CIRCLES
+        ? isCentred(o + P1X, pos[o + RADIUS_B])
+        : kind[i] == FACE_A && isCentred(o + P1X, pos[o + P_ROUND]);
+  }
+
+  private boolean isCentred(int o, float radius) {
+    float most = CENTRED * radius;
+    return pos[o] * pos[o] + pos[o + 1] * pos[o + 1] < most * most;
+  }
 
   public void ensureCapacity(int n) {
     if (n <= bodyA.length) {

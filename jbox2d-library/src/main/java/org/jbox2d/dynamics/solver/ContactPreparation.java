@@ -49,6 +49,8 @@ public final class ContactPreparation {
       prepare(cc, bodies, i);
       if (cc.pointCount[i] == 2) {
         joinFriction(cc, i);
+      } else {
+        writeCurves(cc, i);
       }
       if (cc.corner[i] && cc.vel[V_STRIDE * i + POINT + BIAS] > 0f) {
         cc.pointCount[i] = 0;
@@ -85,6 +87,37 @@ public final class ContactPreparation {
     cc.sub[so + S_HELD_TANGENT_MASS] = holds ? 1f / held : d[o1 + TANGENT_MASS];
     d[o1 + TANGENT_IMPULSE] += d[o2 + TANGENT_IMPULSE];
     d[o2 + TANGENT_IMPULSE] = 0f;
+  }
+
+  /**
+   * How the separation of the one point falls with the squares of the turns: a corner moves on a
+   * circle about the centre of its body, {@code tB^2 (rB x t) / 2}. The lowest point of a disc
+   * stays below the disc's centre, so there it is the arm of that centre which counts: a wheel at
+   * 100 rad/s would else seem to come off the road by more than its radius in a step.
+   */
+  private static void writeCurves(ContactConstraints cc, int i) {
+    float[] d = cc.vel;
+    int o = V_STRIDE * i + POINT;
+    int so = S_STRIDE * i;
+    float curveA = 0f;
+    float curveB = 0f;
+    if (cc.kind[i] != CIRCLES) {
+      curveA = 0.5f * d[o + RT_A];
+      curveB = 0.5f * d[o + RT_B];
+      int po = P_STRIDE * i;
+      float radius = cc.pos[po + P_ROUND];
+      if (radius > 0f) {
+        // From the point, midway between the surfaces, to the disc's centre.
+        float back = 0.5f * (radius + 0.5f * (d[o + BIAS] - cc.pos[po + P_REST]));
+        if (cc.kind[i] == FACE_A) {
+          curveB -= back;
+        } else {
+          curveA += back;
+        }
+      }
+    }
+    cc.sub[so + S_CURVE_A] = curveA;
+    cc.sub[so + S_CURVE_B] = curveB;
   }
 
   private static void prepare(ContactConstraints cc, SolverBodies bodies, int i) {

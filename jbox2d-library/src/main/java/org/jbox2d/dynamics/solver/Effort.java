@@ -12,7 +12,7 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  *       {@code P / (m n)} times a time that follows from its softness, m its effective mass: much
  *       where a heavy body stands on a light one, or a high pile on its lowest.
  *   <li><b>Spin in contact.</b> A body that turns far in a substep meets its contacts where they no
- *       longer are.
+ *       longer are; a wheel does not.
  *   <li><b>Cold contacts.</b> Where most contacts have not carried anything yet, there are no
  *       impulses to start from.
  *   <li><b>Loads on joints.</b> One pass leaves an error of the order of {@code M / m g h^2} where
@@ -75,8 +75,10 @@ public final class Effort {
     int idle = 0;
     for (int i = c0; i < c1; i++) {
       int o = V_STRIDE * i;
-      spin = Math.max(spin, Math.abs(v[SolverBodies.STRIDE * contacts.bodyA[i] + 2]));
-      spin = Math.max(spin, Math.abs(v[SolverBodies.STRIDE * contacts.bodyB[i] + 2]));
+      float spinA = Math.abs(v[SolverBodies.STRIDE * contacts.bodyA[i] + 2]);
+      float spinB = Math.abs(v[SolverBodies.STRIDE * contacts.bodyB[i] + 2]);
+      spin = spinA > spin && !contacts.isRoundAt(i, contacts.bodyA[i]) ? spinA : spin;
+      spin = spinB > spin && !contacts.isRoundAt(i, contacts.bodyB[i]) ? spinB : spin;
       float impulse = d[o + POINT + NORMAL_IMPULSE];
       if (contacts.manifoldPoints[i] == 2) {
         impulse += d[o + POINT + POINT_STRIDE + NORMAL_IMPULSE];

@@ -20,7 +20,7 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  * <pre>  s = s0 + n . (dB - dA) + tB (rB x n) - tA (rA x n) - (tB^2 rB . n - tA^2 rA . n) / 2</pre>
  *
  * t the turns, to second order for the corners of polygons. A circle's lowest point stays below its
- * centre, so between circles turning changes nothing.
+ * centre, so for it that of its centre is meant, and between circles turning changes nothing.
  *
  * <p>The two normals of a face are solved at once as in {@link ContactVelocityKernel}; softness
  * scales the inverse of the 2 x 2 matrix as it does a single effective mass. Friction of both
@@ -82,7 +82,6 @@ final class SoftContactKernel {
       int c = V_STRIDE * i;
       int a = SolverBodies.STRIDE * cc.bodyA[i];
       int b = SolverBodies.STRIDE * cc.bodyB[i];
-      float square = cc.kind[i] == CIRCLES ? 0f : 0.5f;
       float turnA = x[a + 2];
       float turnB = x[b + 2];
       float along = (x[b] - x[a]) * d[c + NX] + (x[b + 1] - x[a + 1]) * d[c + NY];
@@ -92,7 +91,9 @@ final class SoftContactKernel {
       float bias2 = 0f;
       for (int j = 0; j < n; j++) {
         int o = c + POINT + POINT_STRIDE * j;
-        float s = separation(d, o, along, turnA, turnB, square);
+        float curveA = n == 2 ? 0.5f * d[o + RT_A] : sub[S_STRIDE * i + S_CURVE_A];
+        float curveB = n == 2 ? 0.5f * d[o + RT_B] : sub[S_STRIDE * i + S_CURVE_B];
+        float s = separation(d, o, along, turnA, turnB, curveA, curveB);
         sub[S_STRIDE * i + S_SEPARATION + j] = s;
         deepest = s < deepest ? s : deepest;
         float bias;
@@ -201,17 +202,20 @@ final class SoftContactKernel {
     float[] d = cc.vel;
     int c = V_STRIDE * i;
     float along = (x[b] - x[a]) * d[c + NX] + (x[b + 1] - x[a + 1]) * d[c + NY];
-    float square = cc.kind[i] == CIRCLES ? 0f : 0.5f;
-    float s = separation(d, c + POINT + POINT_STRIDE * point, along, x[a + 2], x[b + 2], square);
+    int o = c + POINT + POINT_STRIDE * point;
+    boolean two = cc.pointCount[i] == 2;
+    float curveA = two ? 0.5f * d[o + RT_A] : cc.sub[S_STRIDE * i + S_CURVE_A];
+    float curveB = two ? 0.5f * d[o + RT_B] : cc.sub[S_STRIDE * i + S_CURVE_B];
+    float s = separation(d, o, along, x[a + 2], x[b + 2], curveA, curveB);
     return s > 0f ? s * invH : 0f;
   }
 
   private static float separation(
-      float[] d, int o, float along, float turnA, float turnB, float square) {
+      float[] d, int o, float along, float turnA, float turnB, float curveA, float curveB) {
     return d[o + BIAS]
         + along
-        + turnB * (d[o + RN_B] + square * turnB * d[o + RT_B])
-        - turnA * (d[o + RN_A] + square * turnA * d[o + RT_A]);
+        + turnB * (d[o + RN_B] + turnB * curveB)
+        - turnA * (d[o + RN_A] + turnA * curveA);
   }
 
   private static float clamp(float x, float limit) {

@@ -162,7 +162,7 @@ public final class SoftStep {
       }
       push(c0, c1, j0, j1);
       if (c0 < c1) {
-        capSpins(slots, b0, b1, step);
+        capSpins(slots, b0, b1, c0, c1, step);
       }
       move(slots, b0, b1, j0 < j1);
       relax(c0, c1, j0, j1);
@@ -342,18 +342,29 @@ public final class SoftStep {
 
   /**
    * Keeps bodies that touch others from turning further in a step than the arms of their contacts,
-   * which are those of its start, have a meaning for.
+   * which are those of its start, have a meaning for. A wheel's arm stays where it is.
    */
-  private void capSpins(int[] slots, int b0, int b1, StepConfig step) {
+  private void capSpins(int[] slots, int b0, int b1, int c0, int c1, StepConfig step) {
     float most = step.maxRotation * step.invDt;
     for (int k = b0; k < b1; k++) {
       int o = SolverBodies.STRIDE * slots[k] + 2;
       float w = bodies.vel[o];
-      if (Math.abs(w) > most) {
+      if (Math.abs(w) > most && !isWheel(slots[k], c0, c1)) {
         bodies.vel[o] = w > 0f ? most : -most;
         capped++;
       }
     }
+  }
+
+  /** Whether a body touches others with discs about its centre alone. */
+  private boolean isWheel(int slot, int c0, int c1) {
+    for (int i = c0; i < c1; i++) {
+      boolean its = contacts.bodyA[i] == slot || contacts.bodyB[i] == slot;
+      if (its && !contacts.isRoundAt(i, slot)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private void move(int[] slots, int b0, int b1, boolean jointed) {
