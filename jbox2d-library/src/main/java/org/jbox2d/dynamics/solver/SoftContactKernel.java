@@ -70,6 +70,11 @@ final class SoftContactKernel {
     return least >= -settledDepth;
   }
 
+  /** Least separation that the last push met, m. */
+  float least() {
+    return least;
+  }
+
   /** Pushes constraints {@code [from, to)}. */
   void push(ContactConstraints cc, SolverBodies bodies, int from, int to) {
     float[] d = cc.vel;

@@ -41,6 +41,24 @@ public final class SoftStep {
   /** Bound of the passes over contacts and joints that hinder each other, in a substep. */
   private static final int MOST_PUSHES = 16;
 
+  /** Depth, in slops, from which contacts alone are relaxed more than once. */
+  private static final float DEEP_SLOPS = 8f;
+
+  /**
+   * Speed that neighbours pushed at {@link #MOST_PUSH} do not reach together, m/s: what takes away
+   * more is a blow. Its bodies move so far in a step that the arms of a contact no longer meet, and
+   * each pass would cost angular momentum.
+   */
+  private static final float BLOW_SPEED = 8f;
+
+  /** Bound of such passes, and of their number times that of the island's contacts. */
+  private static final int MOST_RELAXES = 6;
+
+  private static final int MOST_ROWS = 256;
+
+  /** What such a pass may take away without there being another, m/s. */
+  private static final float HARMLESS_SPEED = 0.1f;
+
   /** Way by which a point may close in a substep before there is another pass, in slops. */
   private static final float HARMLESS_SLOPS = 0.5f;
 
@@ -241,15 +259,26 @@ public final class SoftStep {
 
   /**
    * Solves joints and relaxes contacts, as often as {@link #push} for the same reason, but no
-   * longer than that changes anything; what is left stays for the next step.
+   * longer than that changes anything; what is left stays for the next step. Contacts alone are
+   * relaxed again, too, where they overlap deeply: one pass takes back but a part of the speeds at
+   * which a heap of overlapping bodies is pushed apart, and what is left bursts it.
    */
   private void relax(int c0, int c1, int j0, int j1) {
     solveJoints(j0, j1);
     contactKernel.relax(contacts, bodies, c0, c1, summed, false);
+    int most = MOST_PUSHES;
     float harmless = HARMLESS_SLOPS * sub.linearSlop * sub.invStep;
+    if (j0 == j1) {
+      boolean pushed = contactKernel.least() < -DEEP_SLOPS * sub.linearSlop;
+      most =
+          pushed && contactKernel.changed < BLOW_SPEED
+              ? Math.min(MOST_RELAXES, MOST_ROWS / (c1 - c0))
+              : 1;
+      harmless = HARMLESS_SPEED;
+    }
     float before = 0f;
-    for (int n = 1; j0 < j1 && n < MOST_PUSHES && contactKernel.changed > harmless; n++) {
-      if (Math.abs(contactKernel.changed - before) <= STALLED * before) {
+    for (int n = 1; n < most && contactKernel.changed > harmless; n++) {
+      if (j0 < j1 && Math.abs(contactKernel.changed - before) <= STALLED * before) {
         break;
       }
       before = contactKernel.changed;
