@@ -296,8 +296,9 @@ final class IslandSolver {
     int[] c = islands.contactStart;
     int[] j = islands.jointStart;
     boolean jointed = j[island] < j[island + 1];
-    float now =
-        Math.max(solver.getLeastSubsteps(), effort.ofContacts(c[island], c[island + 1], step));
+    int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
+    float contacts = effort.ofContacts(c[island], c[island + 1], bodyCount, step);
+    float now = Math.max(solver.getLeastSubsteps(), contacts);
     if (jointed) {
       now = Math.max(now, effort.ofJoints(j[island], j[island + 1], step));
     }

@@ -46,6 +46,14 @@ public abstract class JointKernel {
   }
 
   /**
+   * Returns by how much the moment that a row bore in the last step would turn the lighter of its
+   * bodies, rad/s; 0 for a row that bears none.
+   */
+  float twist(JointRows rows, int row, SolverBodies bodies) {
+    return 0f;
+  }
+
+  /**
    * Takes the bodies' velocities as those before the forces of a substep, where a kernel needs
    * them. For a whole step they are written when the row is gathered.
    */

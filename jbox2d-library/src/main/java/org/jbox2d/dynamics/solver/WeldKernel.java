@@ -93,6 +93,15 @@ public final class WeldKernel extends JointKernel {
     }
   }
 
+  @Override
+  float twist(JointRows rows, int row, SolverBodies bodies) {
+    int o = rows.floatAt[row];
+    int at = rows.bodyAt[row];
+    float ia = bodies.mass[SolverBodies.STRIDE * rows.bodies[at] + 1];
+    float ib = bodies.mass[SolverBodies.STRIDE * rows.bodies[at + 1] + 1];
+    return rows.f[o + FREQUENCY] > 0f ? 0f : Math.abs(rows.f[o + TURN_IMPULSE]) * Math.max(ia, ib);
+  }
+
   /** A beam of welds sags by what is left of each. */
   @Override
   boolean isCorrectedOften() {
