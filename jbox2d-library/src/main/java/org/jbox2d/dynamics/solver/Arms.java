@@ -95,7 +95,22 @@ public final class Arms {
     float bx = bendX(f, o, bodies.vel, a, b, step.dt, step.invDt);
     float by = bendY(f, o, bodies.vel, a, b, step.dt, step.invDt);
     float atStart = (float) Math.sqrt(bx * bx + by * by);
+    return mostBend(atStart, step);
+  }
+
+  /** The same for one direction, of the size of its bend at the start of the step. */
+  static float mostBend(float atStart, StepConfig step) {
     return BEND_RISE * atStart + NEW_BEND_SLOPS * step.linearSlop * step.invDt;
+  }
+
+  /** The same for {@link #bendAlong} in a direction u in which the points are to coincide. */
+  static float mostBendAlong(
+      float[] f, int o, SolverBodies bodies, int a, int b, float ux, float uy, StepConfig step) {
+    float gap = ux * gapX(f, o, bodies.pos, a, b) + uy * gapY(f, o, bodies.pos, a, b);
+    if (Math.abs(gap) > BENT_SLOPS * step.linearSlop) {
+      return 0f;
+    }
+    return mostBend(Math.abs(bendAlong(f, o, bodies, a, b, ux, uy, step)), step);
   }
 
   /** Fills in the block: points relative to the centres of mass, in the bodies' frames, m. */

@@ -24,12 +24,12 @@ package org.jbox2d.dynamics.solver;
  *
  * <p>The bend (see {@link Arms}) of d seen in A's turning frame, q the turning of the arms: {@code
  * h/2 d2/dt2 (n . d) = n . q - h wA a . ddot - h/2 wA^2 n . d}, the Coriolis and centrifugal terms;
- * along a likewise with {@code + h wA n . ddot}. Source of the model: Catto, "Modeling and solving
- * constraints", GDC 2009.
+ * along a likewise with {@code + h wA n . ddot}. Either is bounded, see {@link Arms#mostBend}.
+ * Source of the model: Catto, "Modeling and solving constraints", GDC 2009.
  */
 public final class PrismaticKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 26;
+  public static final int FLOATS = Arms.SIZE + 28;
 
   private static final int AXIS_X = 8;
   private static final int AXIS_Y = 9;
@@ -59,6 +59,11 @@ public final class PrismaticKernel extends JointKernel {
   private static final int ALONG_MASS = 31;
   private static final int LOWER_ROOM = 32;
   private static final int UPPER_ROOM = 33;
+  private static final int MOST_BEND_ACROSS = 34;
+  private static final int MOST_BEND_ALONG = 35;
+
+  /** Turn of B against A in a step from which no bend is followed, rad. */
+  private static final float MOST_TWIST = 0.02f;
 
   PrismaticKernel(int order) {
     super(order, ACROSS_IMPULSE, 5);
@@ -141,6 +146,16 @@ public final class PrismaticKernel extends JointKernel {
       float translation = place(f, o, bodies, a, b);
       f[o + LOWER_ROOM] = Math.max(0f, translation - f[o + LOWER]) * step.invDt;
       f[o + UPPER_ROOM] = Math.max(0f, f[o + UPPER] - translation) * step.invDt;
+      // Bodies that a blow has set spinning against each other have no path to follow.
+      float twist = Math.abs(bodies.vel[b + 2] - bodies.vel[a + 2]) * step.dt;
+      f[o + MOST_BEND_ACROSS] =
+          twist > MOST_TWIST
+              ? 0f
+              : Arms.mostBendAlong(f, o, bodies, a, b, -f[o + AY], f[o + AX], step);
+      if (f[o + LIMITED] > 0f) {
+        float bend = bendAlong(f, o, bodies, a, b, step);
+        f[o + MOST_BEND_ALONG] = twist > MOST_TWIST ? 0f : Arms.mostBend(Math.abs(bend), step);
+      }
 
       f[o + ACROSS_IMPULSE] *= keep;
       f[o + ANGLE_IMPULSE] *= keep;
@@ -150,6 +165,16 @@ public final class PrismaticKernel extends JointKernel {
       float along = f[o + MOTOR_IMPULSE] + f[o + LOWER_IMPULSE] - f[o + UPPER_IMPULSE];
       push(f, o, bodies, a, b, along, f[o + ACROSS_IMPULSE], f[o + ANGLE_IMPULSE]);
     }
+  }
+
+  private static float bendAcross(
+      float[] f, int o, SolverBodies bodies, int a, int b, StepConfig step) {
+    return Arms.bendAlong(f, o, bodies, a, b, -f[o + AY], f[o + AX], step);
+  }
+
+  private static float bendAlong(
+      float[] f, int o, SolverBodies bodies, int a, int b, StepConfig step) {
+    return Arms.bendAlong(f, o, bodies, a, b, f[o + AX], f[o + AY], step);
   }
 
   /** Computes axis, arms and masses at the bodies' positions; returns the translation. */
@@ -209,7 +234,7 @@ public final class PrismaticKernel extends JointKernel {
               - ay * (v[b] - v[a])
               + f[o + S2] * v[b + 2]
               - f[o + S1] * v[a + 2]
-              + Arms.bendAlong(f, o, bodies, a, b, -ay, ax, step);
+              + Arms.bounded(bendAcross(f, o, bodies, a, b, step), f[o + MOST_BEND_ACROSS]);
       float c2 = v[b + 2] - v[a + 2];
       float p1 = -f[o + ACROSS_MASS] * (c1 - f[o + COUPLING] * c2);
       float p2 = -f[o + ANGLE_MASS] * c2 - f[o + COUPLING] * p1;
@@ -231,7 +256,7 @@ public final class PrismaticKernel extends JointKernel {
     float mass = f[o + ALONG_MASS];
     float speed =
         along(f, o, bodies.vel, a, b)
-            + Arms.bendAlong(f, o, bodies, a, b, f[o + AX], f[o + AY], step);
+            + Arms.bounded(bendAlong(f, o, bodies, a, b, step), f[o + MOST_BEND_ALONG]);
     float old = f[o + LOWER_IMPULSE];
     f[o + LOWER_IMPULSE] = Math.max(0f, old - mass * (speed + f[o + LOWER_ROOM]));
     float p = f[o + LOWER_IMPULSE] - old;

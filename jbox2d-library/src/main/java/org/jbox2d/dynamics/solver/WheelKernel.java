@@ -13,11 +13,12 @@ package org.jbox2d.dynamics.solver;
  * </pre>
  *
  * A frequency of 0 means no spring: the wheel slides freely along the axis. The bend of the path
- * across the axis is as in {@link PrismaticKernel}.
+ * across the axis is as in {@link PrismaticKernel}, and bounded as in {@link Arms#mostBend}: a
+ * splinter that keeps a joint far outside of it was thrown off at 10^9 m/s.
  */
 public final class WheelKernel extends JointKernel {
   /** Length of a row's block. */
-  public static final int FLOATS = Arms.SIZE + 27;
+  public static final int FLOATS = Arms.SIZE + 28;
 
   private static final int AXIS_X = 8;
   private static final int AXIS_Y = 9;
@@ -46,6 +47,7 @@ public final class WheelKernel extends JointKernel {
   private static final int GAMMA = 32;
   private static final int BIAS = 33;
   private static final int MOTOR_MASS = 34;
+  private static final int MOST_BEND = 35;
 
   WheelKernel(int order) {
     super(order, ACROSS_IMPULSE, 3);
@@ -131,6 +133,7 @@ public final class WheelKernel extends JointKernel {
       }
       float turning = m[a + 1] + m[b + 1];
       f[o + MOTOR_MASS] = turning > 0f ? 1f / turning : 0f;
+      f[o + MOST_BEND] = Arms.mostBendAlong(f, o, bodies, a, b, -f[o + AY], f[o + AX], step);
 
       f[o + ACROSS_IMPULSE] *= keep;
       f[o + SPRING_IMPULSE] *= keep;
@@ -202,7 +205,8 @@ public final class WheelKernel extends JointKernel {
               - ay * (v[b] - v[a])
               + f[o + S2] * v[b + 2]
               - f[o + S1] * v[a + 2];
-      float p = -f[o + ACROSS_MASS] * (speed + Arms.bendAlong(f, o, bodies, a, b, -ay, ax, step));
+      float bend = Arms.bendAlong(f, o, bodies, a, b, -ay, ax, step);
+      float p = -f[o + ACROSS_MASS] * (speed + Arms.bounded(bend, f[o + MOST_BEND]));
       f[o + ACROSS_IMPULSE] += p;
       push(f, o, bodies, a, b, 0f, p, 0f);
     }
