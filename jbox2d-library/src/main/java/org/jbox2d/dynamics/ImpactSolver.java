@@ -71,7 +71,7 @@ final class ImpactSolver {
     }
     scatter();
     keepImpulses();
-    report.send(solved, count, listener, step);
+    report.send(solved, count, listener, true, step);
     restoreImpulses();
     Arrays.fill(solved, 0, count, null);
     Arrays.fill(slots, null);

@@ -93,7 +93,7 @@ final class IslandSolver {
         soft.sumImpulses(islands.contactCount);
       }
       ContactListener listener = world.m_contactManager.m_contactListener;
-      report.send(islands.contacts, islands.contactCount, listener, step);
+      report.send(islands.contacts, islands.contactCount, listener, islands.materials, step);
     }
     islands.release();
   }

@@ -79,8 +79,14 @@ final class SolvedContactReport {
         (before[o + 2] + dt * bodies.accel[o + 2]) / (1f + dt * bodies.damping[2 * slot + 1]);
   }
 
-  /** Reports the first {@code n} contacts, which are those of the constraints. */
-  void send(Contact[] contacts, int n, ContactListener listener, StepConfig step) {
+  /**
+   * Reports the first {@code n} contacts, which are those of the constraints.
+   *
+   * @param materials whether velocities were kept for materials; one that a listener sets where
+   *     there was none when the step began hears from the next step on
+   */
+  void send(
+      Contact[] contacts, int n, ContactListener listener, boolean materials, StepConfig step) {
     for (int i = 0; i < n; i++) {
       Contact c = contacts[i];
       Fixture a = c.m_fixtureA;
@@ -88,7 +94,7 @@ final class SolvedContactReport {
       if (listener != null) {
         tell(listener, i, c);
       }
-      if (a.m_material != null || b.m_material != null) {
+      if (materials && (a.m_material != null || b.m_material != null)) {
         float normalImpulse = normalImpulse(i);
         tell(a, b, i, c, step, normalImpulse);
         if (!impacts) {

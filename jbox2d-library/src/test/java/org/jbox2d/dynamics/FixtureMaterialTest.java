@@ -6,7 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jbox2d.callbacks.ContactImpulse;
+import org.jbox2d.callbacks.ContactListener;
+import org.jbox2d.collision.Manifold;
 import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.contacts.Contact;
 import org.junit.jupiter.api.Test;
 
 /** What a material hears is what became of the body. */
@@ -181,5 +185,43 @@ class FixtureMaterialTest {
     Make.steps(world, 60);
     assertEquals(1, world.getBodyCount());
     WorldInvariants.check(world);
+  }
+
+  /**
+   * A listener may give a material to what has just been solved. Where no fixture had one when the
+   * step began, velocities had not been kept, and the report read beyond their array.
+   */
+  @Test
+  void aMaterialSetWhileContactsAreReportedHearsFromTheNextStepOn() {
+    World world = Make.world();
+    Make.ground(world);
+    Body box = Make.box(world, BodyType.DYNAMIC, 0f, 0.51f, 0.5f, 0.5f);
+    box.setSleepingAllowed(false);
+    int[] step = new int[1];
+    List<Integer> heard = new ArrayList<>();
+    world.setContactListener(
+        new ContactListener() {
+          @Override
+          public void beginContact(Contact contact) {}
+
+          @Override
+          public void endContact(Contact contact) {}
+
+          @Override
+          public void preSolve(Contact contact, Manifold oldManifold) {}
+
+          @Override
+          public void postSolve(Contact contact, ContactImpulse impulse) {
+            if (box.getFixtureList().getMaterial() == null) {
+              box.getFixtureList().setMaterial((fixture, solved) -> heard.add(step[0]));
+              heard.add(-step[0]);
+            }
+          }
+        });
+    for (step[0] = 1; step[0] <= 10; step[0]++) {
+      Make.steps(world, 1);
+    }
+    assertTrue(heard.size() > 2);
+    assertEquals(1 - heard.get(0), heard.get(1));
   }
 }
