@@ -24,7 +24,10 @@ final class HarderScenes {
         whirl(),
         overhang("overhang_stands", 0.9),
         overhang("overhang_falls", 1.1),
-        tabletop());
+        tabletop(),
+        smallWheel(),
+        column(),
+        overlapHeap());
   }
 
   private static Scene bounceFlat() {
@@ -293,6 +296,78 @@ final class HarderScenes {
             public double error(double time) {
               return Math.abs(box.x() / way - 1);
             }
+          };
+        });
+  }
+
+  /** At the end it turns at 75 rad/s, by more than a radian in a step. */
+  private static Scene smallWheel() {
+    double r = 0.1;
+    double slope = Math.toRadians(35);
+    double a = G * StrictMath.sin(slope) * 2 / 3;
+    return new Scene(
+        "small_wheel",
+        2,
+        0.02,
+        "a disc of 10 cm that rolls down 35 degrees has 2/3 of the acceleration of what slides",
+        sim -> {
+          Matter rubber = Matter.rough(1, 0.5);
+          sim.body(Kind.STATIC, 0, 0, slope).box(60, 1, 0, -1, rubber);
+          double x0 = -r * StrictMath.sin(slope);
+          double y0 = r * StrictMath.cos(slope);
+          SimBody disc = sim.dynamic(x0, y0).disc(r, rubber);
+          return t -> {
+            double dx = x0 - disc.x();
+            double dy = y0 - disc.y();
+            double way = dx * StrictMath.cos(slope) + dy * StrictMath.sin(slope);
+            return Math.abs(way / (0.5 * a * t * t) - 1);
+          };
+        });
+  }
+
+  private static Scene column() {
+    int n = 16;
+    return new Scene(
+        "column",
+        10,
+        0.1,
+        "16 bricks on each other, a little out of line, stay to a tenth of their height",
+        sim -> {
+          sim.ground().box(10, 0.5, 0, -0.5, STONE);
+          List<SimBody> bricks = new ArrayList<>();
+          for (int i = 0; i < n; i++) {
+            bricks.add(sim.dynamic(0.02 * (i % 3 - 1), 0.2 * i + 0.1).box(0.2, 0.1, STONE));
+          }
+          return t -> {
+            double worst = 0;
+            for (int i = 0; i < n; i++) {
+              SimBody b = bricks.get(i);
+              double y0 = 0.2 * i + 0.1;
+              worst = Math.max(worst, Math.hypot(b.x() - 0.02 * (i % 3 - 1), b.y() - y0) / y0);
+            }
+            return worst;
+          };
+        });
+  }
+
+  private static Scene overlapHeap() {
+    return new Scene(
+        "overlap_heap",
+        3,
+        0.3,
+        "nine boxes, each in its neighbours by 0.3 m, come apart without a burst of 0.3 m/s",
+        sim -> {
+          sim.gravity(0, 0);
+          List<SimBody> boxes = new ArrayList<>();
+          for (int i = 0; i < 9; i++) {
+            boxes.add(sim.dynamic(0.7 * (i % 3), 0.7 * (i / 3)).box(0.5, 0.5, STONE));
+          }
+          return t -> {
+            double fastest = 0;
+            for (SimBody b : boxes) {
+              fastest = Math.max(fastest, Math.hypot(b.vx(), b.vy()));
+            }
+            return fastest;
           };
         });
   }

@@ -34,7 +34,8 @@ class SuiteTest {
               "chain_load_1000",
               "wrecking_ball",
               "mass_ratio_1000",
-              "heavy_on_tower"),
+              "heavy_on_tower",
+              "column"),
           Contender.SOFT,
           Set.of("chain_load_100", "chain_load_1000", "gravity_off"),
           Contender.ADAPTIVE,
@@ -72,7 +73,7 @@ class SuiteTest {
       // A whole number of steps at each rate.
       assertEquals(scene.seconds() * 30, Math.rint(scene.seconds() * 30), 1e-9, scene.name());
     }
-    assertTrue(scenes.size() >= 94);
+    assertTrue(scenes.size() >= 97);
     assertThrows(IllegalArgumentException.class, () -> Suite.named("no such scene"));
   }
 
