@@ -2,7 +2,6 @@ package org.jbox2d.fracture.fragmentation;
 
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import org.jbox2d.fracture.voronoi.VoronoiDiagram;
 
@@ -21,13 +20,6 @@ final class CellEdges {
   private boolean[] doubtful = new boolean[0];
   private int[] node = new int[0];
 
-  /** Bounding box of a cell, in local coordinates; infinite the wrong way if it is empty. */
-  private double minX;
-
-  private double minY;
-  private double maxX;
-  private double maxY;
-
   /** For each site the first one of its piece, which stands for it; itself if it is alone. */
   private int[] leader = new int[0];
 
@@ -35,21 +27,26 @@ final class CellEdges {
    * Adds what matters.
    *
    * @param selection knows which sites the diagram has
+   * @param cells know which cells may overlap a region
    * @param pieceOfSite for each site the number of its piece, negative for none; or null
    */
   void add(
       VoronoiDiagram voronoi,
       CellSelection selection,
+      MatteringCells cells,
       int[] pieceOfSite,
       Noder noder,
-      List<? extends RegionOfEffect> regions,
       LocalFrame frame) {
     diagram = voronoi;
     snap = frame.snap();
     ensure();
     findLeaders(selection, pieceOfSite);
-    findMattering(regions, frame);
-    spreadOverPieces();
+    for (int i = 0; i < diagram.siteCount(); i++) {
+      matters[i] = cells.matters(i);
+    }
+    if (pieceOfSite != null) {
+      spreadOverPieces();
+    }
     Arrays.fill(doubtful, 0, diagram.vertexCount(), false);
     for (int i = 0; i < diagram.siteCount(); i++) {
       if (matters[i]) {
@@ -101,39 +98,6 @@ final class CellEdges {
     }
     for (int i = 0; i < diagram.siteCount(); i++) {
       matters[i] = matters[leader[i]];
-    }
-  }
-
-  /** Marks the cells whose bounding boxes overlap that of a region. */
-  private void findMattering(List<? extends RegionOfEffect> regions, LocalFrame frame) {
-    for (int i = 0; i < diagram.siteCount(); i++) {
-      matters[i] = regions.isEmpty();
-      if (!matters[i]) {
-        measure(i);
-      }
-      for (int k = 0; k < regions.size() && !matters[i]; k++) {
-        RegionOfEffect region = regions.get(k);
-        matters[i] =
-            frame.toInputX(minX) <= region.maxX()
-                && frame.toInputX(maxX) >= region.minX()
-                && frame.toInputY(minY) <= region.maxY()
-                && frame.toInputY(maxY) >= region.minY();
-      }
-    }
-  }
-
-  private void measure(int cell) {
-    minX = Double.POSITIVE_INFINITY;
-    minY = Double.POSITIVE_INFINITY;
-    maxX = Double.NEGATIVE_INFINITY;
-    maxY = Double.NEGATIVE_INFINITY;
-    for (int k = diagram.cellStart(cell); k < diagram.cellEnd(cell); k++) {
-      double x = diagram.vertexX(diagram.cornerVertex(k));
-      double y = diagram.vertexY(diagram.cornerVertex(k));
-      minX = Math.min(minX, x);
-      maxX = Math.max(maxX, x);
-      minY = Math.min(minY, y);
-      maxY = Math.max(maxY, y);
     }
   }
 

@@ -48,7 +48,8 @@ public final class Fragmenter {
 
   private Outline outline;
   private final LocalFrame frame = new LocalFrame();
-  private final CellSelection selection = new CellSelection();
+  private final MatteringCells cells = new MatteringCells();
+  private final CellSelection selection = new CellSelection(cells);
   private boolean cutByCells;
   private double[] result = new double[0];
   private int[] classOfPiece = new int[0];
@@ -104,13 +105,8 @@ public final class Fragmenter {
     cutByCells = true;
     // The cells of a piece may lie far from the region that the piece is in: then no site is left
     // out.
-    selection.compute(
-        sites,
-        siteCount,
-        pieceOfSite == null ? regions : Collections.<RegionOfEffect>emptyList(),
-        frame,
-        voronoi);
-    cellEdges.add(voronoi, selection, pieceOfSite, noder, regions, frame);
+    selection.compute(sites, siteCount, regions, pieceOfSite == null, frame, voronoi);
+    cellEdges.add(voronoi, selection, cells, pieceOfSite, noder, frame);
     return finish(regions, limits);
   }
 

@@ -14,6 +14,9 @@ import org.jbox2d.fracture.geometry.Angles;
  * rounding.
  */
 public final class ImpactRegion implements RegionOfEffect {
+  /** Tangents at 45 degrees to a unit circle: x + y = this; rounded up. */
+  private static final double DIAGONAL = 1.4142135623730952;
+
   private final double contactX;
   private final double contactY;
   private final double directionX;
@@ -141,6 +144,32 @@ public final class ImpactRegion implements RegionOfEffect {
       xy[2 * i + 1] = contactY + along * directionY - across * directionX;
     }
     return xy;
+  }
+
+  /**
+   * The octagon whose sides touch the region: behind, where it is a half disc, half of a regular
+   * one, ahead half of one that is stretched like the ellipse.
+   */
+  @Override
+  public int sidesBeyond(double x, double y) {
+    double dx = x - contactX;
+    double dy = y - contactY;
+    double across = dx * acrossX + dy * acrossY;
+    double back = -(dx * alongX + dy * alongY);
+    double ahead = -back / stretch;
+    return signBit(1 - across)
+        | signBit(1 + across) << 1
+        | signBit(1 - ahead) << 2
+        | signBit(1 - back) << 3
+        | signBit(DIAGONAL - across - ahead) << 4
+        | signBit(DIAGONAL + across - ahead) << 5
+        | signBit(DIAGONAL - across - back) << 6
+        | signBit(DIAGONAL + across - back) << 7;
+  }
+
+  /** 1 for a negative number, else 0. */
+  private static int signBit(double value) {
+    return (int) (Double.doubleToRawLongBits(value) >>> 63);
   }
 
   @Override

@@ -30,4 +30,16 @@ public interface RegionOfEffect {
    * share an edge have the same term, but for its sign.
    */
   double overlap(double ax, double ay, double bx, double by);
+
+  /**
+   * Bits for the sides of a convex polygon around the region that a point is beyond: if points have
+   * one in common, their hull misses the region (D. Cohen and I. Sutherland's outcodes). The
+   * polygon is the box of the region, unless there is a better one.
+   */
+  default int sidesBeyond(double x, double y) {
+    return (x < minX() ? 1 : 0)
+        | (x > maxX() ? 2 : 0)
+        | (y < minY() ? 4 : 0)
+        | (y > maxY() ? 8 : 0);
+  }
 }

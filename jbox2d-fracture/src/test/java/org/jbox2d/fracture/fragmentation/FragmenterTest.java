@@ -203,6 +203,38 @@ class FragmenterTest {
     }
   }
 
+  /** With a number for each site, which changes nothing, no site is left out. */
+  @ParameterizedTest
+  @EnumSource(SiteKind.class)
+  void theSitesLeftOutMakeNoDifference(SiteKind kind) {
+    Fragmenter fragmenter = new Fragmenter();
+    java.util.Random random = new java.util.Random(12);
+    for (int c = 0; c < 100; c++) {
+      int n = 30 + random.nextInt(300);
+      double[] sites = kind.make(random, n);
+      int[] alone = new int[n];
+      java.util.Arrays.fill(alone, -1);
+      List<RegionOfEffect> regions = new java.util.ArrayList<>();
+      for (int k = 0; k <= c % 3; k++) {
+        double x = 3 * random.nextDouble() - 1.5;
+        double y = 3 * random.nextDouble() - 1.5;
+        double radius = 0.1 + 0.7 * random.nextDouble();
+        double ahead = radius * (1 + random.nextDouble());
+        double turn = random.nextGaussian();
+        regions.add(new ImpactRegion(x, y, turn, random.nextGaussian(), radius, ahead));
+      }
+      Fragmentation few = fragmenter.fragment(BOX, sites, n, regions, PieceLimits.NONE);
+      Fragmentation all = fragmenter.fragment(BOX, sites, alone, n, regions, PieceLimits.NONE);
+      assertEquals(all.status(), few.status(), kind + " " + c);
+      assertEquals(all.fragments().size(), few.fragments().size(), kind + " " + c);
+      assertEquals(all.remainders().size(), few.remainders().size(), kind + " " + c);
+      java.util.Map<Integer, Double> areas = new java.util.HashMap<>();
+      all.fragments().forEach(f -> areas.merge(f.site(), f.outline().area(), Double::sum));
+      few.fragments().forEach(f -> areas.merge(f.site(), -f.outline().area(), Double::sum));
+      areas.forEach((site, area) -> assertEquals(0, area, 1e-9, kind + " " + site));
+    }
+  }
+
   /** Sites outside of the box have numbers as well. */
   @Test
   void piecesOfSeveralSitesAreUnionsOfTheirCells() {

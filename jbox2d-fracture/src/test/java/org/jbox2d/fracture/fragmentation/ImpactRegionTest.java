@@ -1,6 +1,7 @@
 package org.jbox2d.fracture.fragmentation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -69,6 +70,34 @@ class ImpactRegionTest {
       double inscribed = 4 * radius * Math.max(radius, depth) / BOUNDARY_POINTS;
       assertEquals(expected, overlap(region, ring), inscribed, "case " + c);
     }
+  }
+
+  /** A point of the region beyond a side would let cells that break away be left out. */
+  @Test
+  void noPointOfTheRegionIsBeyondASide() {
+    Random random = new Random(6);
+    for (int c = 0; c < 400; c++) {
+      boolean still = c % 5 == 0;
+      ImpactRegion region =
+          new ImpactRegion(
+              random.nextDouble() - 0.5,
+              random.nextDouble() - 0.5,
+              still ? 0 : random.nextGaussian(),
+              still ? 0 : random.nextGaussian(),
+              0.3 + random.nextDouble(),
+              0.3 + 2 * random.nextDouble());
+      double[] boundary = region.boundary(64);
+      for (int i = 0; i < 64; i++) {
+        double x = boundary[2 * i] - region.contactX();
+        double y = boundary[2 * i + 1] - region.contactY();
+        assertEquals(0, beyond(region, 1 - 1e-12, x, y), "case " + c);
+        assertNotEquals(0, beyond(region, 1.1, x, y), "case " + c);
+      }
+    }
+  }
+
+  private static int beyond(RegionOfEffect region, double factor, double x, double y) {
+    return region.sidesBeyond(region.contactX() + factor * x, region.contactY() + factor * y);
   }
 
   @Test
