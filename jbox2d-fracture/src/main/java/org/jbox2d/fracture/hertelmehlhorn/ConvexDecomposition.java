@@ -38,6 +38,7 @@ public final class ConvexDecomposition {
   private final HertelMehlhorn hertelMehlhorn = new HertelMehlhorn();
   private final OutlineSimplifier simplifier = new OutlineSimplifier();
   private final PartFilter filter = new PartFilter();
+  private final PlainPiece plain = new PlainPiece();
 
   /** Creates a decomposition with the triangulator that was found best by measurement. */
   public ConvexDecomposition() {
@@ -139,6 +140,10 @@ public final class ConvexDecomposition {
     }
     if (!(resolution >= 0 && resolution * 0 == 0)) {
       throw new IllegalArgumentException("resolution: " + resolution);
+    }
+    ConvexParts only = resolution > 0 ? plain.of(outline, mostVertices, resolution) : null;
+    if (only != null) {
+      return new Result(Status.DECOMPOSED, "", only, outline);
     }
     // With a resolution something else than the given outline is triangulated.
     boolean triangulationChecks = resolution == 0 && first.refusesCrossings();

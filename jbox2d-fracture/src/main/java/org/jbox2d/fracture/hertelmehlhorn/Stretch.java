@@ -10,7 +10,7 @@ final class Stretch {
    * Relative change of the area from which on it matters: above what the rounding to floats does to
    * most pieces, below what the pieces of a body may differ from it together.
    */
-  private static final double AREA_TOLERANCE = 4e-5;
+  static final double AREA_TOLERANCE = 4e-5;
 
   private double middleX;
   private double middleY;
