@@ -11,15 +11,21 @@ import org.jbox2d.fracture.FractureEvent;
 
 /**
  * What a fracture was made by, in world coordinates of the moment it happened: the Voronoi cells of
- * its sites and the regions in which they broke away. Immutable.
+ * its sites and the regions in which they broke away. They are worked out when somebody asks for
+ * them first: few do, and it takes longer than the fracture. Immutable otherwise; any thread may
+ * ask.
  */
 public final class FractureTrace {
-  private final List<float[]> cells;
-  private final List<float[]> regions;
+  private final FractureEvent event;
+  private final Transform frame;
+  private final AABB bounds;
+  private List<float[]> cells;
+  private List<float[]> regions;
 
-  private FractureTrace(List<float[]> cells, List<float[]> regions) {
-    this.cells = cells;
-    this.regions = regions;
+  private FractureTrace(FractureEvent event, Transform frame, AABB bounds) {
+    this.event = event;
+    this.frame = frame;
+    this.bounds = bounds;
   }
 
   /** Returns the trace of a fracture; {@code null} if it was not along cells. */
@@ -29,8 +35,11 @@ public final class FractureTrace {
     }
     List<Body> bodies = new ArrayList<>(event.remainders());
     bodies.addAll(event.splinters());
-    Transform frame = bodies.get(0).getTransform();
-    List<float[]> regions = new ArrayList<>();
+    return new FractureTrace(event, new Transform(bodies.get(0).getTransform()), boundsOf(bodies));
+  }
+
+  private List<float[]> makeRegions() {
+    List<float[]> made = new ArrayList<>();
     for (Vec2[] region : event.regions()) {
       float[] ring = new float[2 * region.length];
       for (int i = 0; i < region.length; i++) {
@@ -38,13 +47,17 @@ public final class FractureTrace {
         ring[2 * i] = p.x;
         ring[2 * i + 1] = p.y;
       }
-      regions.add(ring);
+      made.add(ring);
     }
+    return made;
+  }
+
+  private List<float[]> makeCells() {
     List<Vec2> sites = new ArrayList<>();
     for (Vec2 site : event.sites()) {
       sites.add(Transform.mul(frame, site));
     }
-    return new FractureTrace(Cells.within(boundsOf(bodies), sites), regions);
+    return Cells.within(bounds, sites);
   }
 
   private static AABB boundsOf(List<Body> bodies) {
@@ -64,12 +77,18 @@ public final class FractureTrace {
   }
 
   /** Returns the cells, each a ring of interleaved world coordinates, m; not to be changed. */
-  public List<float[]> cells() {
+  public synchronized List<float[]> cells() {
+    if (cells == null) {
+      cells = makeCells();
+    }
     return cells;
   }
 
   /** Returns the regions, like {@link #cells}. */
-  public List<float[]> regions() {
+  public synchronized List<float[]> regions() {
+    if (regions == null) {
+      regions = makeRegions();
+    }
     return regions;
   }
 }
