@@ -58,9 +58,7 @@ public final class OutlineCheck {
     if (!finite() || !ringsLargeEnough()) {
       return false;
     }
-    convex =
-        outline.ringCount() == 1
-            && Rings.isStrictlyConvex(outline.coordinates(), 0, outline.vertexCount());
+    convex = isStrictlyConvex();
     boolean valid =
         (convex || (edgesHaveLength() && edgesApart())) && ringsHaveArea() && holesPlaced();
     outline.foundConvex = valid && convex;
@@ -68,7 +66,12 @@ public final class OutlineCheck {
     return valid;
   }
 
-  /** Whether the outline of the last {@link #run} that found it valid is strictly convex. */
+  private boolean isStrictlyConvex() {
+    return outline.ringCount() == 1
+        && Rings.isStrictlyConvex(outline.coordinates(), 0, outline.vertexCount());
+  }
+
+  /** Whether the outline, if the last check found it valid, is strictly convex. */
   public boolean isConvex() {
     return convex;
   }
@@ -80,7 +83,10 @@ public final class OutlineCheck {
    */
   public boolean runButCrossings(Outline given, boolean ringsMayTouch) {
     begin(given, ringsMayTouch);
-    return finite() && ringsLargeEnough() && edgesHaveLength() && ringsHaveArea() && holesPlaced();
+    boolean valid =
+        finite() && ringsLargeEnough() && edgesHaveLength() && ringsHaveArea() && holesPlaced();
+    convex = valid && isStrictlyConvex();
+    return valid;
   }
 
   private void begin(Outline given, boolean ringsMayTouch) {

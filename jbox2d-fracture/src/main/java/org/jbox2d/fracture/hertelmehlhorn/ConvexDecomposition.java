@@ -40,6 +40,9 @@ public final class ConvexDecomposition {
   private final PartFilter filter = new PartFilter();
   private final PlainPiece plain = new PlainPiece();
 
+  /** What is decomposed: the outline, simplified if there is a resolution. */
+  private Outline coarse;
+
   /** Creates a decomposition with the triangulator that was found best by measurement. */
   public ConvexDecomposition() {
     this(new DelaunayTriangulator(), null);
@@ -152,16 +155,16 @@ public final class ConvexDecomposition {
     if (!acceptable) {
       return invalid(outline);
     }
+    // A triangulator that refuses crossings finds the few that simplifying has made.
+    boolean findsCrossings = first.refusesCrossings() && second == null;
     Outline normal = outline.normal();
-    Outline coarse = resolution > 0 ? simplifier.simplify(normal, resolution) : normal;
-    boolean convex = resolution > 0 ? simplifier.isConvex() : isConvex(coarse);
+    ConvexParts parts = partsOf(normal, mostVertices, resolution, !findsCrossings);
+    if (parts == null && findsCrossings && resolution > 0) {
+      parts = partsOf(normal, mostVertices, resolution, true);
+    }
     if (coarse == null) {
       return failure(Status.TOO_FINE, "outline is finer than the resolution " + resolution);
     }
-    ConvexParts parts =
-        convex && coarse.vertexCount() <= mostVertices
-            ? onePart(coarse)
-            : decompose(coarse, mostVertices);
     if (parts == null) {
       return triangulationChecks && !check.run(outline, true)
           ? invalid(outline)
@@ -175,6 +178,19 @@ public final class ConvexDecomposition {
       }
     }
     return new Result(Status.DECOMPOSED, "", parts, outline);
+  }
+
+  /** Simplifies and decomposes a normal outline; null if nothing is left of it or it resists. */
+  private ConvexParts partsOf(
+      Outline normal, int mostVertices, double resolution, boolean checkCrossings) {
+    coarse = resolution > 0 ? simplifier.simplify(normal, resolution, checkCrossings) : normal;
+    boolean convex = resolution > 0 ? simplifier.isConvex() : isConvex(coarse);
+    if (coarse == null) {
+      return null;
+    }
+    return convex && coarse.vertexCount() <= mostVertices
+        ? onePart(coarse)
+        : decompose(coarse, mostVertices);
   }
 
   private static boolean isConvex(Outline outline) {

@@ -34,11 +34,23 @@ final class OutlineSimplifier {
   private double[] stretched = new double[64];
   private int size;
   private boolean convex;
+  private boolean looksForCrossings;
   private double resolution;
 
   /** The simplified outline, or null if nothing of it is left. */
   Outline simplify(Outline outline, double by) {
+    return simplify(outline, by, true);
+  }
+
+  /**
+   * The same.
+   *
+   * @param checkCrossings false for those who find out themselves whether edges of the result meet,
+   *     unless it is convex, and ask again, with true, if they do
+   */
+  Outline simplify(Outline outline, double by, boolean checkCrossings) {
     resolution = by;
+    looksForCrossings = checkCrossings;
     if (out.length < 2 * outline.vertexCount()) {
       out = new double[4 * outline.vertexCount()];
       stretched = new double[out.length];
@@ -82,7 +94,9 @@ final class OutlineSimplifier {
   }
 
   private boolean isSound(Outline outline) {
-    boolean sound = check.run(outline, true) && outline.isNormal();
+    boolean sound =
+        looksForCrossings ? check.run(outline, true) : check.runButCrossings(outline, true);
+    sound = sound && outline.isNormal();
     convex = sound && check.isConvex();
     return sound;
   }
