@@ -182,36 +182,37 @@ abstract class FlatTree extends FlatNodes {
    *     / \                   / \
    *    D   E                 C   E
    * </pre>
+   *
+   * <p>B is the larger child: C u E is no smaller than C.
    */
   private void exchangeForSize(int node) {
-    int child1 = m_child1[node];
-    int child2 = m_child2[node];
-    float best = 0;
-    int inner = NULL;
-    int rising = NULL;
-    int height = m_height[node];
-    for (int side = 0; side < 2; side++) {
-      int b = side == 0 ? child1 : child2;
-      int c = side == 0 ? child2 : child1;
-      if (isLeaf(b)) {
-        continue;
-      }
-      float size = size(b);
-      float gain1 = size - unionSize(c, m_child2[b]);
-      if (gain1 > best && keepsBalance(m_child1[b], c, m_child2[b], height)) {
-        best = gain1;
-        inner = b;
-        rising = m_child1[b];
-      }
-      float gain2 = size - unionSize(c, m_child1[b]);
-      if (gain2 > best && keepsBalance(m_child2[b], c, m_child1[b], height)) {
-        best = gain2;
-        inner = b;
-        rising = m_child2[b];
-      }
+    float size1 = size(m_child1[node]);
+    float size2 = size(m_child2[node]);
+    int b = size1 > size2 ? m_child1[node] : m_child2[node];
+    int c = size1 > size2 ? m_child2[node] : m_child1[node];
+    if (isLeaf(b)) {
+      return;
     }
-    if (inner != NULL) {
-      exchange(node, inner, rising);
+    int d = m_child1[b];
+    int e = m_child2[b];
+    float size = Math.max(size1, size2);
+    float gainOfD = size - unionSize(c, e);
+    float gainOfE = size - unionSize(c, d);
+    if (gainOfD <= 0 & gainOfE <= 0) {
+      return;
+    }
+    int height = m_height[node];
+    float best = 0;
+    int rising = NULL;
+    if (gainOfD > best && keepsBalance(d, c, e, height)) {
+      best = gainOfD;
+      rising = d;
+    }
+    if (gainOfE > best && keepsBalance(e, c, d, height)) {
+      rising = e;
+    }
+    if (rising != NULL) {
+      exchange(node, b, rising);
     }
   }
 
