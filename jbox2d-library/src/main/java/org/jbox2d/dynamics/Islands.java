@@ -57,7 +57,10 @@ final class Islands {
   private int slots;
   private int[] parent = new int[64];
   private Contact[] foundContacts = new Contact[64];
+
+  /** A slot of each contact found; its complement if the other body does not move by itself. */
   private int[] foundContactSlot = new int[64];
+
   private Joint[] foundJoints = new Joint[16];
   private int[] foundJointSlot = new int[16];
 
@@ -70,8 +73,13 @@ final class Islands {
   private int jointChanges;
   private int[] jointKeyStart = new int[64];
 
-  /** Contacts of each island that have got their place. */
+  /** Contacts of each island between bodies that both move, and those that have got their place. */
+  private int[] loose = new int[64];
+
   private int[] placed = new int[64];
+
+  /** Contacts of each large island with bodies that do not move that have got their place. */
+  private int[] held = new int[64];
 
   void build(AwakeSet awake, ContactManager manager) {
     if (!buildWithSameJoints(awake, manager)) {
@@ -185,7 +193,8 @@ final class Islands {
     }
     materials |= (flags & Contact.WATCHED_FLAG) != 0;
     foundContacts[contactCount] = c;
-    foundContactSlot[contactCount++] = slot;
+    boolean holds = c.m_bodyA.m_type != BodyType.DYNAMIC || c.m_bodyB.m_type != BodyType.DYNAMIC;
+    foundContactSlot[contactCount++] = holds ? ~slot : slot;
   }
 
   private void linkJoints(Body body) {
@@ -262,34 +271,60 @@ final class Islands {
     if (contacts.length < contactCount) {
       contacts = new Contact[foundContacts.length];
     }
+    countContacts();
+    for (int i = 0; i < contactCount; i++) {
+      boolean holds = foundContactSlot[i] < 0;
+      int k = islandOf[slotOf(i)];
+      int start = contactStart[k];
+      int place;
+      if (contactStart[k + 1] - start < LEAST_DEALT) {
+        place = placed[k]++;
+      } else if (holds) {
+        place = loose[k] + held[k]++;
+      } else {
+        place = dealt(placed[k]++, loose[k]);
+      }
+      contacts[start + place] = foundContacts[i];
+    }
+  }
+
+  /** Counts the contacts of each island, and those between bodies that both move. */
+  private void countContacts() {
     if (placed.length < count) {
       placed = new int[contactStart.length];
+      loose = new int[contactStart.length];
+      held = new int[contactStart.length];
     }
     Arrays.fill(contactStart, 0, count + 1, 0);
     Arrays.fill(placed, 0, count, 0);
+    Arrays.fill(loose, 0, count, 0);
+    Arrays.fill(held, 0, count, 0);
     for (int i = 0; i < contactCount; i++) {
-      contactStart[islandOf[foundContactSlot[i]] + 1]++;
+      int k = islandOf[slotOf(i)];
+      contactStart[k + 1]++;
+      loose[k] += foundContactSlot[i] < 0 ? 0 : 1;
     }
     for (int k = 0; k < count; k++) {
       contactStart[k + 1] += contactStart[k];
     }
-    for (int i = 0; i < contactCount; i++) {
-      int k = islandOf[foundContactSlot[i]];
-      int size = contactStart[k + 1] - contactStart[k];
-      contacts[contactStart[k] + dealt(placed[k]++, size)] = foundContacts[i];
-    }
+  }
+
+  private int slotOf(int i) {
+    int slot = foundContactSlot[i];
+    return slot < 0 ? ~slot : slot;
   }
 
   /**
-   * Place of the i-th of n contacts of an island. Contacts made one after the other mostly share a
-   * body, so that each would have to wait for what the one before did to it. Those of a large
-   * island are dealt in two halves that take turns, of which the processor works on both at once;
-   * in a pyramid of 5,000 boxes sequential impulses take a tenth less time for that.
+   * Place of the i-th of n contacts between moving bodies of a large island; those with what does
+   * not move come last, so that iterations which end too early leave bodies in each other rather
+   * than in floors and walls.
+   *
+   * <p>Contacts made one after the other mostly share a body, so that each would have to wait for
+   * what the one before did to it. So they are dealt in two halves that take turns, of which the
+   * processor works on both at once; in a pyramid of 5,000 boxes sequential impulses take a tenth
+   * less time for that.
    */
   private static int dealt(int i, int n) {
-    if (n < LEAST_DEALT) {
-      return i;
-    }
     int half = (n + 1) >> 1;
     return i < half ? 2 * i : 2 * (i - half) + 1;
   }
