@@ -40,11 +40,20 @@ public final class Effort {
   /** Way that a contact may give, in slops. */
   private static final float CONTACT_SLOPS = 2f;
 
-  /** Contacts for each body up to which an island is a column; in walls and heaps there are two. */
-  private static final float COLUMN_CONTACTS = 1.5f;
+  /**
+   * Contacts for each body up to which an island is a column; in walls and heaps there are two, and
+   * in loose heaps more than one.
+   */
+  private static final float COLUMN_CONTACTS = 1.1f;
 
   /** The 2 of the bound for columns, with a margin: near the bound a stack sways for long. */
   private static final float COLUMN_FACTOR = 1.5f;
+
+  /**
+   * Share of the load that each end of a contact bears at least in a column that stands. What leans
+   * or tumbles rests on one end.
+   */
+  private static final float UPRIGHT_SHARE = 0.2f;
 
   /** Substeps where most contacts carry nothing yet. */
   private static final float COLD_SUBSTEPS = 4f;
@@ -126,8 +135,12 @@ public final class Effort {
     for (int i = c0; i < c1; i++) {
       if (contacts.manifoldPoints[i] == 2) {
         int o = V_STRIDE * i;
-        float impulse =
-            d[o + POINT + NORMAL_IMPULSE] + d[o + POINT + POINT_STRIDE + NORMAL_IMPULSE];
+        float impulse1 = d[o + POINT + NORMAL_IMPULSE];
+        float impulse2 = d[o + POINT + POINT_STRIDE + NORMAL_IMPULSE];
+        float impulse = impulse1 + impulse2;
+        if (Math.min(impulse1, impulse2) < UPRIGHT_SHARE * impulse) {
+          continue;
+        }
         float load = impulse * Math.max(d[o + INV_MASS_A], d[o + INV_MASS_B]);
         float storeys = load < bodyCount * weight ? load / weight : bodyCount;
         int po = P_STRIDE * i;
