@@ -100,6 +100,13 @@ public final class SoftStep {
   /** Velocities in a substep before contacts acted: x, y, angular, unused. */
   private float[] free = new float[0];
 
+  /**
+   * Marks the bodies that have joints in an island by {@link #mark}, which is another each time.
+   */
+  private int[] marks = new int[0];
+
+  private int mark;
+
   /** Whether somebody asks for the impulses of all substeps. */
   private boolean summed;
 
@@ -167,7 +174,7 @@ public final class SoftStep {
     for (int n = 0; n < substeps; n++) {
       if (j0 < j1) {
         if (n > 0 && blow) {
-          forgetImpulses(c0, c1);
+          forgetImpulses(c0, c1, j0, j1);
         }
         prepareJoints(j0, j1, slots, b0, b1);
         ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
@@ -244,16 +251,33 @@ public final class SoftStep {
   }
 
   /**
-   * Lets a substep start without the impulses of the last one, which were those of a blow. The
-   * bodies have what it gave them; given once more, it would have to be taken back by joints and
-   * contacts together, and one pass over them leaves much of it: dolls that fell on the corner of a
-   * step were torn apart.
+   * Lets a substep start without the impulses that the last one gave bodies with joints, which were
+   * those of a blow. The bodies have what it gave them; given once more, it would have to be taken
+   * back by joints and contacts together, and one pass over them leaves much of it: dolls that fell
+   * on the corner of a step were torn apart. Contacts of other bodies keep theirs: a heap in which
+   * two hinges lay trembled without them.
    */
-  private void forgetImpulses(int c0, int c1) {
+  private void forgetImpulses(int c0, int c1, int j0, int j1) {
     sub.warmStarting = false;
+    markJointed(j0, j1);
     for (int i = c0; i < c1; i++) {
-      scaleImpulses(contacts.vel, V_STRIDE * i + POINT, 0f);
-      scaleImpulses(contacts.vel, V_STRIDE * i + POINT + POINT_STRIDE, 0f);
+      if (marks[contacts.bodyA[i]] == mark || marks[contacts.bodyB[i]] == mark) {
+        scaleImpulses(contacts.vel, V_STRIDE * i + POINT, 0f);
+        scaleImpulses(contacts.vel, V_STRIDE * i + POINT + POINT_STRIDE, 0f);
+      }
+    }
+  }
+
+  private void markJointed(int j0, int j1) {
+    if (marks.length < bodies.count) {
+      marks = new int[bodies.angle.length];
+    }
+    mark++;
+    for (int r = j0; r < j1; r++) {
+      int at = joints.bodyAt[r];
+      for (int k = at; k < at + joints.bodyCount[r]; k++) {
+        marks[joints.bodies[k]] = mark;
+      }
     }
   }
 
