@@ -47,6 +47,31 @@ class RestTest {
     assertTrue(awake.size() <= MOST_AWAKE, awake.toString());
   }
 
+  /**
+   * A substep that followed a blow forgot the impulses of all contacts of an island in which there
+   * was a joint; so a heap in which two hinges lay trembled for ever, in each of eight runs.
+   */
+  @Test
+  void heapsInWhichHingesLieFallAsleep() {
+    List<String> awake = new ArrayList<>();
+    for (int seed = 1; seed <= 2; seed++) {
+      for (int solver = 1; solver < SolverChoice.PARAMETER.choices().size(); solver++) {
+        Setup setup =
+            Setup.of(Scenes.named("rain-on-roofs"), seed)
+                .with(SolverChoice.PARAMETER.name(), solver);
+        Simulation run = new Simulation(setup);
+        while (run.time() < EARLIEST || (run.time() < LATEST && asleep(run) < ASLEEP)) {
+          run.step();
+        }
+        assertTrue(run.world().getJointCount() > 0);
+        if (asleep(run) < ASLEEP) {
+          awake.add(SolverChoice.PARAMETER.choices().get(solver) + " " + seed);
+        }
+      }
+    }
+    assertTrue(awake.size() <= 1, awake.toString());
+  }
+
   private static double asleep(Simulation run) {
     int bodies = 0;
     int asleep = 0;
