@@ -599,6 +599,7 @@ public class Body {
     if (isObstacle() != was && m_world != null) {
       m_world.bodies.obstacles += was ? -1 : 1;
       BodyContacts.countObstacle(this, !was);
+      BodyContacts.markObstacle(this);
     }
   }
 

@@ -41,6 +41,7 @@ final class BodyChanges {
     b.m_world.bodies.obstacles -= b.isObstacle() ? 1 : 0;
     b.m_type = type;
     b.m_world.bodies.obstacles += b.isObstacle() ? 1 : 0;
+    BodyContacts.markObstacle(b);
     b.resetMassData();
     if (type == BodyType.STATIC) {
       b.m_linearVelocity.setZero();

@@ -49,6 +49,13 @@ final class BodyContacts {
     }
   }
 
+  /** Tells the broad phase whether a body stops others within a step. */
+  static void markObstacle(Body body) {
+    for (Fixture f = body.m_fixtureList; f != null; f = f.m_next) {
+      f.markObstacle(body.m_world.m_contactManager.m_broadPhase);
+    }
+  }
+
   /** Lets the next step pair a body's proxies as if they were new. */
   static void touchProxies(Body body) {
     BroadPhase broadPhase = body.m_world.m_contactManager.m_broadPhase;

@@ -300,6 +300,16 @@ public class Fixture {
       proxy.fixture = this;
       proxy.childIndex = i;
       proxy.proxyId = broadPhase.createProxy(proxy.aabb, proxy);
+      if (m_body.isObstacle()) {
+        broadPhase.setObstacle(proxy.proxyId, true);
+      }
+    }
+  }
+
+  /** Tells the broad phase whether the body stops others within a step. */
+  final void markObstacle(BroadPhase broadPhase) {
+    for (int i = 0; i < m_proxyCount; i++) {
+      broadPhase.setObstacle(m_proxies[i].proxyId, m_body.isObstacle());
     }
   }
 

@@ -142,7 +142,11 @@ final class ImpactSearch implements TreeCallback {
   private void collect(Body b) {
     foundCount = 0;
     boundsOfWay(b, box);
-    contacts.m_broadPhase.query(this, box);
+    if (b.isBullet()) {
+      contacts.m_broadPhase.query(this, box);
+    } else {
+      contacts.m_broadPhase.queryObstacles(this, box);
+    }
     int kept = 0;
     for (int i = 0; i < foundCount; i++) {
       if (mayHit(b, found[i].fixture.m_body)) {

@@ -4,8 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
+import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.broadphase.BroadPhase;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.ContactEdge;
@@ -48,8 +52,29 @@ class ObstaclesTest {
         most = Math.max(most, obstacles);
       }
       assertEquals(inWorld, world.bodies.obstacles);
+      assertEquals(obstaclesOf(bodies), obstaclesFoundIn(world));
     }
     assertTrue(most > 1);
+  }
+
+  private static Set<Fixture> obstaclesOf(List<Body> bodies) {
+    Set<Fixture> fixtures = new HashSet<>();
+    for (Body body : bodies) {
+      if (body.isActive() && (body.getType() != BodyType.DYNAMIC || body.isBullet())) {
+        fixtures.add(body.getFixtureList());
+      }
+    }
+    return fixtures;
+  }
+
+  /** What a body that is followed along its way may find. */
+  private static Set<Fixture> obstaclesFoundIn(World world) {
+    Set<Fixture> fixtures = new HashSet<>();
+    BroadPhase broadPhase = world.m_contactManager.m_broadPhase;
+    broadPhase.queryObstacles(
+        id -> fixtures.add(((FixtureProxy) broadPhase.getUserData(id)).fixture),
+        new AABB(new Vec2(-1e9f, -1e9f), new Vec2(1e9f, 1e9f)));
+    return fixtures;
   }
 
   private static Body disc(World world, Random random) {

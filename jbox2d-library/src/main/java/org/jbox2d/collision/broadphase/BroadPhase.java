@@ -65,6 +65,20 @@ public interface BroadPhase {
     return getFatAABB(proxyId).contains(aabb);
   }
 
+  /**
+   * Sets whether a proxy is an obstacle, which {@link #queryObstacles} looks for; at first it is
+   * none. A broad phase that does not note it reports all proxies there.
+   */
+  default void setObstacle(int proxyId, boolean isObstacle) {}
+
+  /**
+   * Reports each obstacle whose enlarged box touches or overlaps the box, and perhaps proxies that
+   * are none, until the callback returns false.
+   */
+  default void queryObstacles(TreeCallback callback, AABB aabb) {
+    query(callback, aabb);
+  }
+
   /** Number of proxies. */
   int getProxyCount();
 

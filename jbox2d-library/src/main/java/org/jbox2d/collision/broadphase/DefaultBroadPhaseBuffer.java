@@ -125,6 +125,28 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   }
 
   @Override
+  public void setObstacle(int proxyId, boolean isObstacle) {
+    if (tree != null) {
+      strategy.getUserData(proxyId);
+      tree.markLeaf(proxyId, isObstacle);
+    }
+  }
+
+  @Override
+  public void queryObstacles(TreeCallback callback, AABB aabb) {
+    if (tree == null) {
+      strategy.query(callback, aabb);
+      return;
+    }
+    Vec2 lower = aabb.lowerBound;
+    Vec2 upper = aabb.upperBound;
+    if (Float.isNaN(lower.x + lower.y) || Float.isNaN(upper.x + upper.y)) {
+      throw new IllegalArgumentException("box to query is NaN: " + lower + ", " + upper);
+    }
+    tree.searchObstacles(callback, lower.x, lower.y, upper.x, upper.y);
+  }
+
+  @Override
   public boolean testTightOverlap(int proxyIdA, int proxyIdB, float slack) {
     float[] box = tight;
     int i = 4 * proxyIdA;

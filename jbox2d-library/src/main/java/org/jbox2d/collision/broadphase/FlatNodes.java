@@ -42,6 +42,12 @@ abstract class FlatNodes {
   /** Height of each node above its deepest leaf: 0 for a leaf. */
   protected int[] m_height = new int[INITIAL_CAPACITY];
 
+  /**
+   * Whether a leaf is an obstacle, and an inner node has one below it: searches for obstacles alone
+   * then leave out whole subtrees of what only moves.
+   */
+  boolean[] obstacle = new boolean[INITIAL_CAPACITY];
+
   /** Boxes: minX, minY, maxX, maxY of node i from index 4 i on. */
   float[] bounds = new float[4 * INITIAL_CAPACITY];
 
@@ -79,6 +85,7 @@ abstract class FlatNodes {
     m_child1[node] = NULL;
     m_child2[node] = NULL;
     m_height[node] = 0;
+    obstacle[node] = false;
     nodeCount++;
     return node;
   }
@@ -104,6 +111,7 @@ abstract class FlatNodes {
     m_child1 = Arrays.copyOf(m_child1, capacity);
     m_child2 = Arrays.copyOf(m_child2, capacity);
     m_height = Arrays.copyOf(m_height, capacity);
+    obstacle = Arrays.copyOf(obstacle, capacity);
     bounds = Arrays.copyOf(bounds, 4 * capacity);
     linkFree(old);
   }
@@ -174,7 +182,8 @@ abstract class FlatNodes {
   }
 
   /**
-   * Recomputes box and height of an inner node from its children; returns whether either changed.
+   * Recomputes box, height and {@link #obstacle} of an inner node from its children; returns
+   * whether any of them changed.
    */
   final boolean refit(int node) {
     float[] box = bounds;
@@ -186,12 +195,14 @@ abstract class FlatNodes {
     float maxX = Math.max(box[j + 2], box[k + 2]);
     float maxY = Math.max(box[j + 3], box[k + 3]);
     int height = 1 + Math.max(m_height[m_child1[node]], m_height[m_child2[node]]);
+    boolean obstacles = obstacle[m_child1[node]] | obstacle[m_child2[node]];
     boolean same =
         minX == box[i]
             && minY == box[i + 1]
             && maxX == box[i + 2]
             && maxY == box[i + 3]
-            && height == m_height[node];
+            && height == m_height[node]
+            && obstacles == obstacle[node];
     if (same) {
       return false;
     }
@@ -200,6 +211,7 @@ abstract class FlatNodes {
     box[i + 2] = maxX;
     box[i + 3] = maxY;
     m_height[node] = height;
+    obstacle[node] = obstacles;
     return true;
   }
 

@@ -87,6 +87,15 @@ abstract class FlatTree extends FlatNodes {
     }
   }
 
+  /** Sets whether a leaf is an obstacle. */
+  final void markLeaf(int leaf, boolean isObstacle) {
+    obstacle[leaf] = isObstacle;
+    boolean changed = true;
+    for (int node = m_parent[leaf]; node != NULL && changed; node = m_parent[node]) {
+      changed = refit(node);
+    }
+  }
+
   /** Takes a leaf out of the tree; the node itself stays allocated and keeps its box. */
   final void removeLeaf(int leaf) {
     leafCount--;

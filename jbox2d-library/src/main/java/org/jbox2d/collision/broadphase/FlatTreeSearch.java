@@ -42,6 +42,21 @@ abstract class FlatTreeSearch extends FlatTree {
     }
   }
 
+  /** Reports each leaf that is an obstacle and whose box meets the given one. */
+  final void searchObstacles(
+      TreeCallback callback, float minX, float minY, float maxX, float maxY) {
+    int base = stackTop;
+    try {
+      pushRoot();
+      int leaf = nextObstacle(base, minX, minY, maxX, maxY);
+      while (leaf != NULL && callback.treeCallback(leaf)) {
+        leaf = nextObstacle(base, minX, minY, maxX, maxY);
+      }
+    } finally {
+      stackTop = base;
+    }
+  }
+
   /** Appends each leaf whose box meets that of a given leaf, that leaf itself included. */
   final void collectOverlaps(int proxyId, IntArrayList out) {
     int i = 4 * proxyId;
@@ -99,6 +114,29 @@ abstract class FlatTreeSearch extends FlatTree {
       todo[top++] = child1;
     }
     stackTop = base;
+    return NULL;
+  }
+
+  /** As {@link #nextOverlap}, of obstacles alone. */
+  private int nextObstacle(int base, float minX, float minY, float maxX, float maxY) {
+    float[] box = bounds;
+    while (stackTop > base) {
+      int node = stack[--stackTop];
+      int i = 4 * node;
+      if (!obstacle[node]
+          || box[i] > maxX
+          || box[i + 1] > maxY
+          || box[i + 2] < minX
+          || box[i + 3] < minY) {
+        continue;
+      }
+      if (isLeaf(node)) {
+        return node;
+      }
+      reserve(2);
+      stack[stackTop++] = m_child2[node];
+      stack[stackTop++] = m_child1[node];
+    }
     return NULL;
   }
 

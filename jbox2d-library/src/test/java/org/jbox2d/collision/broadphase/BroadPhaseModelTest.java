@@ -29,6 +29,7 @@ class BroadPhaseModelTest {
     JUMP,
     DESTROY,
     TOUCH,
+    MARK,
     QUERY,
     RAY,
     PAIRS
@@ -51,6 +52,7 @@ class BroadPhaseModelTest {
             Tuple.of(2, Kind.JUMP),
             Tuple.of(2, Kind.DESTROY),
             Tuple.of(1, Kind.TOUCH),
+            Tuple.of(2, Kind.MARK),
             Tuple.of(2, Kind.QUERY),
             Tuple.of(2, Kind.RAY),
             Tuple.of(2, Kind.PAIRS));
@@ -104,6 +106,7 @@ class BroadPhaseModelTest {
     private final BroadPhase broadPhase;
     private final TreeMap<Integer, Proxy> proxies = new TreeMap<>();
     private final Set<Integer> moved = new TreeSet<>();
+    private final Set<Integer> obstacles = new TreeSet<>();
     private int created;
 
     Model(BroadPhaseStrategy strategy) {
@@ -122,7 +125,11 @@ class BroadPhaseModelTest {
         case JUMP -> jump(pick(call), box);
         case DESTROY -> destroy(pick(call));
         case TOUCH -> touch(pick(call));
-        case QUERY -> checkQuery(box);
+        case MARK -> mark(pick(call), call.x > 0);
+        case QUERY -> {
+          checkQuery(box);
+          checkObstacles(box);
+        }
         case RAY -> checkRay(box, 0.25f + call.width / 4);
         case PAIRS -> checkPairs();
         default -> throw new AssertionError(call.kind);
@@ -168,6 +175,16 @@ class BroadPhaseModelTest {
       broadPhase.destroyProxy(id);
       proxies.remove(id);
       moved.remove(id);
+      obstacles.remove(id);
+    }
+
+    private void mark(int id, boolean isObstacle) {
+      broadPhase.setObstacle(id, isObstacle);
+      if (isObstacle) {
+        obstacles.add(id);
+      } else {
+        obstacles.remove(id);
+      }
     }
 
     private void touch(int id) {
@@ -191,6 +208,26 @@ class BroadPhaseModelTest {
           box);
       assertEquals(expected, new TreeSet<>(reported));
       assertEquals(expected.size(), reported.size(), "a proxy was reported twice");
+    }
+
+    private void checkObstacles(AABB box) {
+      boolean knowsObstacles = !(strategy instanceof ForeignStrategy);
+      SortedSet<Integer> expected = new TreeSet<>();
+      for (int id : proxies.keySet()) {
+        boolean counts = !knowsObstacles || obstacles.contains(id);
+        if (counts && AABB.testOverlap(broadPhase.getFatAABB(id), box)) {
+          expected.add(id);
+        }
+      }
+      List<Integer> reported = new ArrayList<>();
+      broadPhase.queryObstacles(
+          id -> {
+            reported.add(id);
+            return true;
+          },
+          box);
+      assertEquals(expected, new TreeSet<>(reported));
+      assertEquals(expected.size(), reported.size(), "an obstacle was reported twice");
     }
 
     private void checkRay(AABB box, float maxFraction) {
