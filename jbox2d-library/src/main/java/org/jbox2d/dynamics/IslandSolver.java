@@ -1,7 +1,6 @@
 package org.jbox2d.dynamics;
 
 import org.jbox2d.callbacks.ContactListener;
-import org.jbox2d.common.Sweep;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.solver.ContactConstraints;
 import org.jbox2d.dynamics.solver.Effort;
@@ -37,9 +36,6 @@ final class IslandSolver {
   /** Contacts and joints of an island times its substeps, above the usual number of those. */
   private static final int MOST_EFFORT = 1024;
 
-  /** See {@link #isFarFromOverflow}, m or rad. */
-  private static final float FAR = 1e30f;
-
   private final World world;
   private final Islands islands = new Islands();
   private final SolverBodies bodies = new SolverBodies();
@@ -56,9 +52,6 @@ final class IslandSolver {
   /** Number of awake bodies when they were gathered. */
   private int gathered;
 
-  /** Whether the bounds of all bodies that were solved have been moved. */
-  boolean boundsMoved;
-
   private final IslandSleep sleep = new IslandSleep();
   private boolean[] settled = new boolean[64];
 
@@ -67,13 +60,7 @@ final class IslandSolver {
     report = new SolvedContactReport(constraints, bodies, false);
   }
 
-  /**
-   * Solves the step.
-   *
-   * @param placed whether the bodies will be left where this puts them: their bounds are moved with
-   *     them then, while all that belongs to a body is at hand
-   */
-  void solve(StepConfig step, Solver solver, Profile profile, boolean placed) {
+  void solve(StepConfig step, Solver solver, Profile profile) {
     profile.solveInit.startAccum();
     islands.build(world.awake, world.m_contactManager);
     boolean substeps = !solver.isSequentialImpulses();
@@ -100,7 +87,7 @@ final class IslandSolver {
       solvePositions(step, profile);
       profile.solvePosition.accumElapsed();
     }
-    scatter(placed);
+    scatter(step);
     if (isHeard()) {
       if (substeps) {
         soft.sumImpulses(islands.contactCount);
@@ -132,6 +119,10 @@ final class IslandSolver {
     for (int i = 0; i < n; i++) {
       Body b = awake.bodies[i];
       b.m_islandIndex = i;
+      b.m_sweep.c0.set(b.m_sweep.c);
+      b.m_sweep.a0 = b.m_sweep.a;
+      b.m_sweep.alpha0 = 0f;
+      b.m_xf0.set(b.m_xf);
       writeState(b, i);
       if (b.m_type != BodyType.DYNAMIC) {
         continue;
@@ -360,40 +351,24 @@ final class IslandSolver {
 
   // --- Scatter ---
 
-  /**
-   * Writes velocities and places back. The step ends where the solver has put a body and starts
-   * where it was.
-   */
-  private void scatter(boolean placed) {
+  private void scatter(StepConfig step) {
     AwakeSet awake = world.awake;
     float[] v = bodies.vel;
     float[] x = bodies.pos;
-    boundsMoved = true;
     for (int i = 0; i < gathered; i++) {
       Body b = awake.bodies[i];
       int o = SolverBodies.STRIDE * i;
       b.m_linearVelocity.x = v[o];
       b.m_linearVelocity.y = v[o + 1];
       b.m_angularVelocity = v[o + 2];
-      b.m_xf0.set(b.m_xf);
-      Sweep sweep = b.m_sweep;
-      sweep.alpha0 = 0f;
-      sweep.c0.x = sweep.c.x;
-      sweep.c0.y = sweep.c.y;
-      sweep.c.x = x[o];
-      sweep.c.y = x[o + 1];
-      sweep.a0 = sweep.a;
-      if (sweep.a != bodies.angle[i]) {
-        sweep.a = bodies.angle[i];
+      b.m_sweep.c.x = x[o];
+      b.m_sweep.c.y = x[o + 1];
+      if (b.m_sweep.a != bodies.angle[i]) {
+        b.m_sweep.a = bodies.angle[i];
         b.synchronizeTransform();
       } else {
         b.placeOrigin();
       }
-      boolean moves = placed && isFarFromOverflow(sweep);
-      if (moves) {
-        b.synchronizeFixtures();
-      }
-      boundsMoved &= moves;
     }
     for (int i = 0; i < islands.contactCount; i++) {
       ContactGather.readImpulses(constraints, i, islands.contacts[i]);
@@ -403,20 +378,11 @@ final class IslandSolver {
     }
   }
 
-  /**
-   * Whether the broad phase will take the bounds: it refuses what is not finite, and by then all
-   * bodies must have been written back.
-   */
-  private static boolean isFarFromOverflow(Sweep s) {
-    return Math.abs(s.c.x) + Math.abs(s.c.y) + Math.abs(s.a) < FAR;
-  }
-
   /** Moves the bounds of the bodies that were solved. */
   void synchronizeFixtures() {
     for (int i = 0; i < gathered; i++) {
       world.awake.bodies[i].synchronizeFixtures();
     }
-    boundsMoved = true;
   }
 
   // --- Sleep ---

@@ -72,14 +72,9 @@ final class Laggards {
     return lag == null || lag.held ? 0f : lag.time;
   }
 
-  /** Whether no body is to be moved on, and none was in the last step. */
-  boolean isEmpty() {
-    return lags.isEmpty() && waiting.isEmpty();
-  }
-
   /** Moves the bodies on; velocities have been solved, and positions too. */
   void catchUp() {
-    if (isEmpty()) {
+    if (lags.isEmpty() && waiting.isEmpty()) {
       return;
     }
     begin();

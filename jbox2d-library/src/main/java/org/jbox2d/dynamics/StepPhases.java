@@ -4,8 +4,8 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.solver.StepConfig;
 
 /**
- * The phases of a step, in order: contacts, islands solved and bounds moved, new contacts,
- * continuous collision, sleep. The world is locked while they run.
+ * The phases of a step, in order: contacts, islands solved, bounds moved, continuous collision,
+ * sleep. The world is locked while they run.
  */
 final class StepPhases {
   /** Share of its old self down to which gravity may shrink in a step without more ado. */
@@ -83,7 +83,7 @@ final class StepPhases {
     collide();
     if (config.dt > 0f) {
       solve();
-      findNewContacts();
+      synchronizeBroadPhase();
       solveContinuous();
       if (allowSleep) {
         islandSolver.updateSleep(config);
@@ -105,17 +105,17 @@ final class StepPhases {
 
   private void solve() {
     profile.solve.start();
-    islandSolver.solve(config, solver, profile, laggards.isEmpty());
+    islandSolver.solve(config, solver, profile);
     laggards.catchUp();
-    if (!islandSolver.boundsMoved || !laggards.isEmpty()) {
-      islandSolver.synchronizeFixtures();
-    }
     profile.solve.stop();
   }
 
-  /** Makes contacts for bounds that have come to overlap. */
-  private void findNewContacts() {
+  /**
+   * Moves the bounds of what has moved, and makes contacts for bounds that have come to overlap.
+   */
+  private void synchronizeBroadPhase() {
     profile.broadphase.start();
+    islandSolver.synchronizeFixtures();
     contacts.findNewContacts();
     profile.broadphase.stop();
   }
