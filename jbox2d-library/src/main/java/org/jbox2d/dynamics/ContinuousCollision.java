@@ -3,14 +3,11 @@ package org.jbox2d.dynamics;
 import java.util.Arrays;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.collision.AABB;
-import org.jbox2d.collision.RayCastInput;
-import org.jbox2d.collision.RayCastOutput;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Sweep;
 import org.jbox2d.common.Transform;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
-import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.solver.StepConfig;
 
 /**
@@ -50,15 +47,13 @@ final class ContinuousCollision implements TreeCallback {
   private final ImpactSearch search;
   private final ImpactCheck check = new ImpactCheck();
   private final ImpactSolver solver;
+  private final CentreGuard centreGuard = new CentreGuard();
   private final JointedBodies jointed = new JointedBodies();
   private final Sweep otherWay = new Sweep();
   private final Transform startOfBody = new Transform();
   private final Transform startOfOther = new Transform();
   private final AABB bounds = new AABB();
   private final Vec2 nowhere = new Vec2();
-  private final RayCastInput ray = new RayCastInput();
-  private final RayCastOutput rayHit = new RayCastOutput();
-  private final Vec2 surface = new Vec2();
 
   /** Bodies still to be followed, marked by {@link Body#e_islandFlag}. */
   private Body[] queue = new Body[32];
@@ -278,49 +273,7 @@ final class ContinuousCollision implements TreeCallback {
 
   private void follow(Body b) {
     followWay(b);
-    keepCentreOutside(b);
-  }
-
-  /**
-   * What touches from the start is no impact, so a splinter that turns about its corner at a wall
-   * may get deep into it within a step, and out on the other side in the next. Its centre of mass
-   * at least does not pass the surface of a still body that it touches: one slop before it its way
-   * ends.
-   */
-  private void keepCentreOutside(Body b) {
-    Sweep s = b.m_sweep;
-    ray.p1.set(s.c0);
-    ray.p2.set(s.c);
-    if (ray.p1.equals(ray.p2)) {
-      return;
-    }
-    ray.maxFraction = 1f;
-    int left = b.obstacles;
-    for (ContactEdge edge = b.m_contactList; left > 0 && edge != null; edge = edge.next) {
-      Contact c = edge.contact;
-      if (edge.other.isObstacle()) {
-        left--;
-      }
-      if (edge.other.m_type == BodyType.STATIC
-          && c.isTouching()
-          && c.isEnabled()
-          && !c.m_fixtureA.m_isSensor
-          && !c.m_fixtureB.m_isSensor) {
-        boolean isA = c.m_fixtureA.m_body == b;
-        Fixture mine = isA ? c.m_fixtureA : c.m_fixtureB;
-        Fixture still = isA ? c.m_fixtureB : c.m_fixtureA;
-        // The centre of a ring or a hook lies outside it, and may pass through anything.
-        if (mine.testPoint(s.c) && still.raycast(rayHit, ray, isA ? c.m_indexB : c.m_indexA)) {
-          ray.maxFraction = rayHit.fraction;
-          surface.set(rayHit.normal);
-        }
-      }
-    }
-    if (ray.maxFraction < 1f) {
-      float out = step.linearSlop;
-      s.c.x = s.c0.x + ray.maxFraction * (s.c.x - s.c0.x) + out * surface.x;
-      s.c.y = s.c0.y + ray.maxFraction * (s.c.y - s.c0.y) + out * surface.y;
-      b.synchronizeTransform();
+    if (centreGuard.shorten(b, step.linearSlop)) {
       noteMoved(b);
     }
   }
