@@ -1,10 +1,10 @@
 package org.jbox2d.dynamics;
 
 import org.jbox2d.callbacks.ContactListener;
+import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.solver.ContactConstraints;
 import org.jbox2d.dynamics.solver.Effort;
-import org.jbox2d.dynamics.solver.JointRows;
 import org.jbox2d.dynamics.solver.SequentialImpulses;
 import org.jbox2d.dynamics.solver.SoftStep;
 import org.jbox2d.dynamics.solver.SolverBodies;
@@ -41,10 +41,11 @@ final class IslandSolver {
   private final Islands islands = new Islands();
   private final SolverBodies bodies = new SolverBodies();
   private final ContactConstraints constraints = new ContactConstraints();
-  private final JointRows joints = new JointRows();
-  private final SequentialImpulses sequential = new SequentialImpulses(bodies, constraints, joints);
-  private final SoftStep soft = new SoftStep(bodies, constraints, joints);
-  private final Effort effort = new Effort(bodies, constraints, joints);
+  private final StepJoints joints = new StepJoints();
+  private final SequentialImpulses sequential =
+      new SequentialImpulses(bodies, constraints, joints.rows);
+  private final SoftStep soft = new SoftStep(bodies, constraints, joints.rows);
+  private final Effort effort = new Effort(bodies, constraints, joints.rows);
   private final SolvedContactReport report;
 
   /** Rises with each step; tells which bodies that do not move have a slot. */
@@ -52,6 +53,12 @@ final class IslandSolver {
 
   /** Number of awake bodies when they were gathered. */
   private int gathered;
+
+  /**
+   * Whether the bodies of joints have their centres of mass where the last step found them, if they
+   * have its slots.
+   */
+  private boolean sameCentres;
 
   private final IslandSleep sleep = new IslandSleep();
   private boolean[] settled = new boolean[64];
@@ -66,8 +73,8 @@ final class IslandSolver {
     islands.build(world.awake, world.m_contactManager);
     boolean substeps = !solver.isSequentialImpulses();
     gatherBodies(step, substeps);
-    gatherContacts(step);
     gatherJoints();
+    gatherContacts(step);
     if (islands.materials) {
       report.keepVelocities(substeps ? step.dt : 0f);
     }
@@ -112,6 +119,7 @@ final class IslandSolver {
    */
   private void gatherBodies(StepConfig step, boolean substeps) {
     stamp++;
+    sameCentres = true;
     AwakeSet awake = world.awake;
     int n = awake.count;
     bodies.count = n;
@@ -124,6 +132,7 @@ final class IslandSolver {
       b.m_sweep.a0 = b.m_sweep.a;
       b.m_sweep.alpha0 = 0f;
       b.m_xf0.set(b.m_xf);
+      compareCentre(b, i);
       writeState(b, i);
       if (b.m_type != BodyType.DYNAMIC) {
         continue;
@@ -134,6 +143,14 @@ final class IslandSolver {
         integrateVelocity(b, i, step);
       }
     }
+  }
+
+  private void compareCentre(Body b, int slot) {
+    Vec2 centre = b.m_sweep.localCenter;
+    int o = SolverBodies.STRIDE * slot;
+    sameCentres &=
+        Float.floatToRawIntBits(centre.x) == Float.floatToRawIntBits(bodies.mass[o + 2])
+            && Float.floatToRawIntBits(centre.y) == Float.floatToRawIntBits(bodies.mass[o + 3]);
   }
 
   private void writeForces(Body b, int slot, StepConfig step) {
@@ -222,15 +239,21 @@ final class IslandSolver {
     }
   }
 
+  /**
+   * Comes before contacts: those of their bodies that do not move get slots, too, and rows are kept
+   * from step to step.
+   */
   private void gatherJoints() {
-    joints.clear();
     for (int i = 0; i < islands.stillCount; i++) {
-      slotOf(islands.stillBodies[i]);
+      Body b = islands.stillBodies[i];
+      if (b.slotStamp != stamp) {
+        bodies.ensureCapacity(bodies.count + 1);
+        compareCentre(b, bodies.count);
+        slotOf(b);
+      }
     }
-    joints.masses = bodies.mass;
-    for (int i = 0; i < islands.jointCount; i++) {
-      islands.joints[i].gather(joints);
-    }
+    joints.rows.masses = bodies.mass;
+    joints.gather(islands, sameCentres);
   }
 
   // --- Solve ---
@@ -382,9 +405,7 @@ final class IslandSolver {
     for (int i = 0; i < islands.contactCount; i++) {
       ContactGather.readImpulses(constraints, i, islands.contacts[i]);
     }
-    for (int i = 0; i < islands.jointCount; i++) {
-      islands.joints[i].scatter(joints, i);
-    }
+    joints.scatter();
   }
 
   /** Moves the bounds of the bodies that were solved. */

@@ -54,6 +54,9 @@ final class Islands {
 
   int stillCount;
 
+  /** Rises when joints, and what does not move of their bodies, are looked for anew. */
+  int jointBuilds;
+
   private int slots;
   private int[] parent = new int[64];
   private Contact[] foundContacts = new Contact[64];
@@ -113,6 +116,7 @@ final class Islands {
     Arrays.fill(foundJoints, 0, jointCount, null);
     Arrays.fill(joints, 0, Math.min(joints.length, jointCount), null);
     Arrays.fill(stillBodies, 0, stillCount, null);
+    jointBuilds++;
     contactCount = 0;
     jointCount = 0;
     stillCount = 0;

@@ -42,11 +42,13 @@ public class DistanceJoint extends Joint {
 
   /** Returns the point of body A in its frame, the same object each time. */
   public Vec2 getLocalAnchorA() {
+    expose();
     return localAnchorA;
   }
 
   /** Returns the point of body B in its frame, the same object each time. */
   public Vec2 getLocalAnchorB() {
+    expose();
     return localAnchorB;
   }
 
@@ -54,6 +56,7 @@ public class DistanceJoint extends Joint {
   public void setLength(float length) {
     JointChecks.notNegative(length, "length");
     if (length != this.length) {
+      change();
       this.length = length;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -68,6 +71,7 @@ public class DistanceJoint extends Joint {
   public void setFrequency(float hz) {
     JointChecks.notNegative(hz, "hz");
     if (hz != frequencyHz) {
+      change();
       frequencyHz = hz;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -81,6 +85,7 @@ public class DistanceJoint extends Joint {
   /** Sets the damping ratio of the spring. */
   public void setDampingRatio(float damp) {
     JointChecks.notNegative(damp, "damp");
+    change();
     dampingRatio = damp;
   }
 
@@ -101,6 +106,7 @@ public class DistanceJoint extends Joint {
 
   @Override
   public void getReactionForce(float inv_dt, Vec2 argOut) {
+    readImpulses();
     argOut.set(inv_dt * impulse * axisX, inv_dt * impulse * axisY);
   }
 
@@ -108,6 +114,11 @@ public class DistanceJoint extends Joint {
   @Override
   public float getReactionTorque(float inv_dt) {
     return 0f;
+  }
+
+  @Override
+  boolean isRowConstant() {
+    return frequencyHz == 0f;
   }
 
   @Override

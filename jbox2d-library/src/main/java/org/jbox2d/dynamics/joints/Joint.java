@@ -10,7 +10,10 @@ import org.jbox2d.pooling.IWorldPool;
  * A constraint between bodies. Made by {@link World#createJoint}.
  *
  * <p>A joint is the record between steps: parameters and kept impulses. In a step it writes these
- * into a row of the solver ({@link #gather}) and reads the impulses back ({@link #scatter}).
+ * into a row of the solver ({@link #gather}) and reads the impulses back ({@link #scatter}). Where
+ * nothing else decides what it writes, the row is kept: then the joint writes it again after a
+ * {@link #change} alone, and its impulses are in the row until they are read. A joint that has
+ * handed out one of its vectors, such as a local anchor, writes its row in each step from then on.
  */
 public abstract class Joint {
   /** Neighbours in the world's list of joints. */
@@ -42,6 +45,14 @@ public abstract class Joint {
 
   private final JointType type;
   private final boolean collideConnected;
+
+  /** The rows in which its row is kept, with the impulses of the last step; else {@code null}. */
+  private JointRows keptIn;
+
+  private int keptRow;
+
+  /** See {@link #expose}. */
+  private boolean exposed;
 
   /** Takes over what all definitions have. */
   protected Joint(IWorldPool worldPool, JointDef def) {
@@ -165,4 +176,58 @@ public abstract class Joint {
 
   /** Engine-internal: reads the impulses back from the row. */
   public abstract void scatter(JointRows rows, int row);
+
+  /**
+   * Engine-internal: keeps the row that was just written, if it is of a kind that can be kept: then
+   * it need not be written again as long as the joint does not say so ({@link JointRows#due}) and
+   * slots and centres of mass of its bodies stay the same, and it is read by the joint itself.
+   *
+   * @return whether it is kept
+   */
+  public final boolean keepRow(JointRows rows, int row) {
+    boolean kept = !exposed && isRowConstant();
+    keptIn = kept ? rows : null;
+    keptRow = row;
+    return kept;
+  }
+
+  /** Engine-internal: the joint's row will be overwritten. */
+  public final void takeBackRow() {
+    readImpulses();
+    keptIn = null;
+  }
+
+  /**
+   * Whether what the joint writes depends on nothing but its bodies' slots and centres of mass,
+   * {@link org.jbox2d.common.Settings#linearSlop}, and what changes after {@link #change} or {@link
+   * #expose} alone: on no velocities, as springs do.
+   */
+  boolean isRowConstant() {
+    return false;
+  }
+
+  /** Must come before each change of what {@link #gather} writes, impulses among it. */
+  final void change() {
+    JointRows rows = keptIn;
+    if (rows != null) {
+      takeBackRow();
+      rows.addDue(keptRow);
+    }
+  }
+
+  /**
+   * Must come before a vector that {@link #gather} writes is handed out: whoever has got it may
+   * change it in any step from now on.
+   */
+  final void expose() {
+    change();
+    exposed = true;
+  }
+
+  /** Must come before impulses are looked at. */
+  final void readImpulses() {
+    if (keptIn != null) {
+      scatter(keptIn, keptRow);
+    }
+  }
 }

@@ -69,16 +69,19 @@ public class PrismaticJoint extends Joint {
 
   /** Returns the point of body A in its frame, the same object each time. */
   public Vec2 getLocalAnchorA() {
+    expose();
     return m_localAnchorA;
   }
 
   /** Returns the point of body B in its frame, the same object each time. */
   public Vec2 getLocalAnchorB() {
+    expose();
     return m_localAnchorB;
   }
 
   /** Returns the unit vector along the axis in A's frame, the same object each time. */
   public Vec2 getLocalAxisA() {
+    expose();
     return m_localXAxisA;
   }
 
@@ -105,6 +108,7 @@ public class PrismaticJoint extends Joint {
   /** Sets whether the limits hold; a change wakes the bodies. */
   public void enableLimit(boolean flag) {
     if (flag != limited) {
+      change();
       limited = flag;
       lowerImpulse = 0f;
       upperImpulse = 0f;
@@ -126,6 +130,7 @@ public class PrismaticJoint extends Joint {
   public void setLimits(float lower, float upper) {
     JointChecks.limits(lower, upper, "lower", "upper");
     if (lower != this.lower || upper != this.upper) {
+      change();
       this.lower = lower;
       this.upper = upper;
       lowerImpulse = 0f;
@@ -142,6 +147,7 @@ public class PrismaticJoint extends Joint {
   /** Sets whether the motor runs; a change wakes the bodies. */
   public void enableMotor(boolean flag) {
     if (flag != driven) {
+      change();
       driven = flag;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -156,6 +162,7 @@ public class PrismaticJoint extends Joint {
   public void setMotorSpeed(float speed) {
     JointChecks.finite(speed, "speed");
     if (speed != this.speed) {
+      change();
       this.speed = speed;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -170,6 +177,7 @@ public class PrismaticJoint extends Joint {
   public void setMaxMotorForce(float force) {
     JointChecks.notNegative(force, "force");
     if (force != maxForce) {
+      change();
       maxForce = force;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -177,6 +185,7 @@ public class PrismaticJoint extends Joint {
 
   /** Returns the motor's force on body B in the last step, N. */
   public float getMotorForce(float inv_dt) {
+    readImpulses();
     return inv_dt * motorImpulse;
   }
 
@@ -192,6 +201,7 @@ public class PrismaticJoint extends Joint {
 
   @Override
   public void getReactionForce(float inv_dt, Vec2 argOut) {
+    readImpulses();
     float along = inv_dt * (motorImpulse + lowerImpulse - upperImpulse);
     float across = inv_dt * acrossImpulse;
     argOut.set(along * axisX - across * axisY, along * axisY + across * axisX);
@@ -199,7 +209,13 @@ public class PrismaticJoint extends Joint {
 
   @Override
   public float getReactionTorque(float inv_dt) {
+    readImpulses();
     return inv_dt * angleImpulse;
+  }
+
+  @Override
+  boolean isRowConstant() {
+    return true;
   }
 
   @Override

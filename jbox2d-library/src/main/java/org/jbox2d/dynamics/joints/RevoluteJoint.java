@@ -59,11 +59,13 @@ public class RevoluteJoint extends Joint {
 
   /** Returns the point of body A in its frame, the same object each time. */
   public Vec2 getLocalAnchorA() {
+    expose();
     return m_localAnchorA;
   }
 
   /** Returns the point of body B in its frame, the same object each time. */
   public Vec2 getLocalAnchorB() {
+    expose();
     return m_localAnchorB;
   }
 
@@ -90,6 +92,7 @@ public class RevoluteJoint extends Joint {
   /** Sets whether the limits hold; a change wakes the bodies. */
   public void enableLimit(boolean flag) {
     if (flag != limited) {
+      change();
       limited = flag;
       lowerImpulse = 0f;
       upperImpulse = 0f;
@@ -111,6 +114,7 @@ public class RevoluteJoint extends Joint {
   public void setLimits(float lower, float upper) {
     JointChecks.limits(lower, upper, "lower", "upper");
     if (lower != this.lower || upper != this.upper) {
+      change();
       this.lower = lower;
       this.upper = upper;
       lowerImpulse = 0f;
@@ -127,6 +131,7 @@ public class RevoluteJoint extends Joint {
   /** Sets whether the motor runs; a change wakes the bodies. */
   public void enableMotor(boolean flag) {
     if (flag != driven) {
+      change();
       driven = flag;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -141,6 +146,7 @@ public class RevoluteJoint extends Joint {
   public void setMotorSpeed(float speed) {
     JointChecks.finite(speed, "speed");
     if (speed != this.speed) {
+      change();
       this.speed = speed;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -155,6 +161,7 @@ public class RevoluteJoint extends Joint {
   public void setMaxMotorTorque(float torque) {
     JointChecks.notNegative(torque, "torque");
     if (torque != maxTorque) {
+      change();
       maxTorque = torque;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -162,6 +169,7 @@ public class RevoluteJoint extends Joint {
 
   /** Returns the motor's torque on body B in the last step, N m. */
   public float getMotorTorque(float inv_dt) {
+    readImpulses();
     return inv_dt * motorImpulse;
   }
 
@@ -177,13 +185,20 @@ public class RevoluteJoint extends Joint {
 
   @Override
   public void getReactionForce(float inv_dt, Vec2 argOut) {
+    readImpulses();
     argOut.set(inv_dt * impulseX, inv_dt * impulseY);
   }
 
   /** {@inheritDoc} For this joint: of limits and motor together. */
   @Override
   public float getReactionTorque(float inv_dt) {
+    readImpulses();
     return inv_dt * (motorImpulse + lowerImpulse - upperImpulse);
+  }
+
+  @Override
+  boolean isRowConstant() {
+    return true;
   }
 
   @Override

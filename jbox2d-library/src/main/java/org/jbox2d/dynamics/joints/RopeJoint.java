@@ -34,11 +34,13 @@ public class RopeJoint extends Joint {
 
   /** Returns the point of body A in its frame, the same object each time. */
   public Vec2 getLocalAnchorA() {
+    expose();
     return localAnchorA;
   }
 
   /** Returns the point of body B in its frame, the same object each time. */
   public Vec2 getLocalAnchorB() {
+    expose();
     return localAnchorB;
   }
 
@@ -51,6 +53,7 @@ public class RopeJoint extends Joint {
   public void setMaxLength(float maxLength) {
     JointChecks.notNegative(maxLength, "maxLength");
     if (maxLength != this.maxLength) {
+      change();
       this.maxLength = maxLength;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -58,6 +61,7 @@ public class RopeJoint extends Joint {
 
   /** Returns {@link LimitState#AT_UPPER} if the rope was taut in the last step, else inactive. */
   public LimitState getLimitState() {
+    readImpulses();
     return state;
   }
 
@@ -73,6 +77,7 @@ public class RopeJoint extends Joint {
 
   @Override
   public void getReactionForce(float inv_dt, Vec2 argOut) {
+    readImpulses();
     argOut.set(inv_dt * impulse * axisX, inv_dt * impulse * axisY);
   }
 
@@ -80,6 +85,11 @@ public class RopeJoint extends Joint {
   @Override
   public float getReactionTorque(float inv_dt) {
     return 0f;
+  }
+
+  @Override
+  boolean isRowConstant() {
+    return true;
   }
 
   @Override

@@ -38,11 +38,13 @@ public class WeldJoint extends Joint {
 
   /** Returns the point of body A in its frame, the same object each time. */
   public Vec2 getLocalAnchorA() {
+    expose();
     return localAnchorA;
   }
 
   /** Returns the point of body B in its frame, the same object each time. */
   public Vec2 getLocalAnchorB() {
+    expose();
     return localAnchorB;
   }
 
@@ -60,6 +62,7 @@ public class WeldJoint extends Joint {
   public void setFrequency(float hz) {
     JointChecks.notNegative(hz, "hz");
     if (hz != frequencyHz) {
+      change();
       frequencyHz = hz;
       JointGather.wake(m_bodyA, m_bodyB);
     }
@@ -73,6 +76,7 @@ public class WeldJoint extends Joint {
   /** Sets the damping ratio of the spring. */
   public void setDampingRatio(float ratio) {
     JointChecks.notNegative(ratio, "ratio");
+    change();
     dampingRatio = ratio;
   }
 
@@ -88,12 +92,19 @@ public class WeldJoint extends Joint {
 
   @Override
   public void getReactionForce(float inv_dt, Vec2 argOut) {
+    readImpulses();
     argOut.set(inv_dt * impulseX, inv_dt * impulseY);
   }
 
   @Override
   public float getReactionTorque(float inv_dt) {
+    readImpulses();
     return inv_dt * turnImpulse;
+  }
+
+  @Override
+  boolean isRowConstant() {
+    return frequencyHz == 0f;
   }
 
   @Override

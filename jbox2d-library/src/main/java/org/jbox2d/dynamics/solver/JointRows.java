@@ -8,7 +8,9 @@ import java.util.Arrays;
  * one, by kernel.
  *
  * <p>A joint appends its row with {@link #add}, writes its parameters and kept impulses into the
- * block, and reads impulses back from the same block after the step.
+ * block, and reads impulses back from the same block after the step. A row may be kept for the next
+ * step, see {@link #due}: a kernel must leave parameters as they are, and not read what it has
+ * written in an earlier step but the impulses.
  */
 public final class JointRows {
   public int count;
@@ -30,14 +32,40 @@ public final class JointRows {
   public float[] masses;
 
   public int[] bodies = new int[0];
+
+  /**
+   * Rows that their joints write in the next step: those of joints that write theirs in each step,
+   * and of others that have been changed. The other rows are kept as the last step has left them.
+   */
+  public int[] due = new int[16];
+
+  public int dueCount;
+
+  /** The row that the next {@link #add} writes again, or -1. */
+  private int rewritten = -1;
+
   private int floats;
   private int slots;
 
   /** Forgets all rows; keeps the memory. */
   public void clear() {
     count = 0;
+    dueCount = 0;
     floats = 0;
     slots = 0;
+  }
+
+  /** Adds a row, not there yet, to {@link #due}. */
+  public void addDue(int row) {
+    if (dueCount == due.length) {
+      due = Arrays.copyOf(due, 2 * dueCount);
+    }
+    due[dueCount++] = row;
+  }
+
+  /** Lets the next {@link #add} return a row that there is, of the same kind and length. */
+  public void rewrite(int row) {
+    rewritten = row;
   }
 
   /**
@@ -47,6 +75,12 @@ public final class JointRows {
    * @return the row's index
    */
   public int add(JointKernel k, int floatCount, int bodyCount) {
+    if (rewritten >= 0) {
+      int row = rewritten;
+      rewritten = -1;
+      Arrays.fill(f, floatAt[row], floatAt[row] + floatCount, 0f);
+      return row;
+    }
     int row = count++;
     if (count > kernel.length) {
       int capacity = Math.max(16, count + (count >> 1));
