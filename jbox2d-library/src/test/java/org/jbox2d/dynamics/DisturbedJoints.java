@@ -289,21 +289,34 @@ final class DisturbedJoints implements ContactListener {
     }
   }
 
-  private void expose() {
-    Joint joint = joints.get(random.nextInt(joints.size()));
-    boolean a = random.nextBoolean();
-    boolean b = random.nextBoolean();
-    if (joint instanceof RevoluteJoint j) {
-      exposed.add(a ? j.getLocalAnchorA() : j.getLocalAnchorB());
-    } else if (joint instanceof PrismaticJoint j) {
-      exposed.add(a ? j.getLocalAxisA() : b ? j.getLocalAnchorA() : j.getLocalAnchorB());
-    } else if (joint instanceof WeldJoint j) {
-      exposed.add(a ? j.getLocalAnchorA() : j.getLocalAnchorB());
-    } else if (joint instanceof DistanceJoint j) {
-      exposed.add(a ? j.getLocalAnchorA() : j.getLocalAnchorB());
-    } else if (joint instanceof RopeJoint j) {
-      exposed.add(a ? j.getLocalAnchorA() : j.getLocalAnchorB());
+  /** Gets hold of a vector of each joint, so that none is kept in its row. */
+  void exposeAll() {
+    for (Joint joint : joints) {
+      vectorOf(joint, 0);
     }
+  }
+
+  private void expose() {
+    Vec2 vector = vectorOf(joints.get(random.nextInt(joints.size())), random.nextInt(4));
+    if (vector != null) {
+      exposed.add(vector);
+    }
+  }
+
+  private static Vec2 vectorOf(Joint joint, int which) {
+    boolean a = which % 2 == 0;
+    if (joint instanceof RevoluteJoint j) {
+      return a ? j.getLocalAnchorA() : j.getLocalAnchorB();
+    } else if (joint instanceof PrismaticJoint j) {
+      return which == 2 ? j.getLocalAxisA() : a ? j.getLocalAnchorA() : j.getLocalAnchorB();
+    } else if (joint instanceof WeldJoint j) {
+      return a ? j.getLocalAnchorA() : j.getLocalAnchorB();
+    } else if (joint instanceof DistanceJoint j) {
+      return a ? j.getLocalAnchorA() : j.getLocalAnchorB();
+    } else if (joint instanceof RopeJoint j) {
+      return a ? j.getLocalAnchorA() : j.getLocalAnchorB();
+    }
+    return null;
   }
 
   private void moveExposed() {
