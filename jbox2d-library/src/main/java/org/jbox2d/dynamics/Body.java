@@ -116,9 +116,6 @@ public class Body {
 
   int effortAge;
 
-  /** For how many steps it may need less before it gets less. */
-  int effortHold;
-
   /** Place among the bodies that a step looks at, or -1. */
   int awakeIndex = -1;
 

@@ -19,8 +19,7 @@ final class IslandSolver {
    * For how many steps an island keeps its substeps when it needs fewer, and by what share they
    * then fall. Velocities belong to the middle of a substep, so each change of its length costs
    * some energy, and one with the phase of a swing would go on taking or giving it; a pile settles
-   * by some tenths of a millimetre. What swings and touches something loses more than that: dolls
-   * that had landed hard had four times the substeps of others for seconds.
+   * by some tenths of a millimetre.
    */
   private static final int SWING_HELD = 240;
 
@@ -306,7 +305,7 @@ final class IslandSolver {
         settled[k] =
             soft.solve(islands.bodies, b[k], b[k + 1], c[k], c[k + 1], j[k], j[k + 1], step, n);
         if (solver.isAdaptive() && !soft.jointsSettled() && n < RESIDUAL_SUBSTEPS) {
-          keepEffort(k, Math.min(n + 1, mostSubsteps(k, solver)), 0, SWING_HELD);
+          keepEffort(k, Math.min(n + 1, mostSubsteps(k, solver)), 0);
         }
       }
     }
@@ -319,40 +318,33 @@ final class IslandSolver {
   private int substepsOf(int island, StepConfig step, Solver solver) {
     int[] c = islands.contactStart;
     int[] j = islands.jointStart;
+    boolean jointed = j[island] < j[island + 1];
     int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
+    float contacts = effort.ofContacts(c[island], c[island + 1], bodyCount, step);
+    float now = Math.max(solver.getLeastSubsteps(), contacts);
+    if (jointed) {
+      now = Math.max(now, effort.ofJoints(j[island], j[island + 1], step));
+    }
+    int most = mostSubsteps(island, solver);
+    now = Math.min(now, most);
     float held = 0f;
     int age = Integer.MAX_VALUE;
-    int heldFor = 0;
     for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
       Body b = world.awake.bodies[islands.bodies[i]];
       held = Math.max(held, b.effort);
       age = Math.min(age, b.effortAge);
-      heldFor = Math.max(heldFor, b.effortHold);
     }
-    int jointCount = j[island + 1] - j[island];
-    float contacts = effort.ofContacts(c[island], c[island + 1], bodyCount, jointCount, held, step);
-    int most = mostSubsteps(island, solver);
-    float swing =
-        jointCount > 0 && contacts < most ? effort.ofJoints(j[island], j[island + 1], step) : 0f;
-    boolean touches = c[island] < c[island + 1];
-    if (touches) {
-      swing = Math.min(swing, Effort.mostAfter(held));
-    }
-    float now = Math.min(most, Math.max(solver.getLeastSubsteps(), Math.max(contacts, swing)));
-    int hold = touches ? PILE_HELD : SWING_HELD;
     if (now > held || held > most) {
       held = now;
       age = 0;
-    } else {
-      hold = now >= EFFORT_FALL * held ? Math.max(hold, heldFor) : heldFor;
-      age = now >= EFFORT_FALL * held ? 0 : age + 1;
-      if (age > hold) {
-        held = Math.max(now, EFFORT_FALL * held);
-        age = 0;
-      }
+    } else if (now >= EFFORT_FALL * held) {
+      age = 0;
+    } else if (++age > (jointed ? SWING_HELD : PILE_HELD)) {
+      held = Math.max(now, EFFORT_FALL * held);
+      age = 0;
     }
     int n = (int) Math.ceil(held);
-    keepEffort(island, n, age, hold);
+    keepEffort(island, n, age);
     return n;
   }
 
@@ -371,13 +363,12 @@ final class IslandSolver {
     return Math.max(solver.getLeastSubsteps(), Math.min(solver.getMostSubsteps(), affordable));
   }
 
-  /** Notes how many substeps an island has, for how long it has needed less, and may. */
-  private void keepEffort(int island, int substeps, int age, int hold) {
+  /** Notes how many substeps an island has, and for how long it has needed less. */
+  private void keepEffort(int island, int substeps, int age) {
     for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
       Body b = world.awake.bodies[islands.bodies[i]];
       b.effort = substeps;
       b.effortAge = age;
-      b.effortHold = hold;
     }
   }
 

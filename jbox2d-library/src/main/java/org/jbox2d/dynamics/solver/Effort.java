@@ -22,9 +22,7 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  *       impulses to start from.
  *   <li><b>Loads on joints.</b> One pass leaves an error of the order of {@code M / m g h^2} where
  *       the mass M may hang on joints of bodies of mass m, a chain with a weight at its end; it
- *       falls as the square of n. A chain of many links is such a weight by itself. What counts are
- *       bodies that joints tie to each other ({@link JointSets}): dolls in a heap do not hang on
- *       one another.
+ *       falls as the square of n. A chain of many links is such a weight by itself.
  *   <li><b>Moments on welds.</b> One pass leaves an angle of {@code T h^2 s / 6 I} in a weld that
  *       bears the moment T, of s in a row: measured at the foot of beams of 3 to 12 parts, which
  *       sag by {@code 1.3 s^4 g h^2}.
@@ -43,11 +41,10 @@ public final class Effort {
   private static final float CONTACT_SLOPS = 2f;
 
   /**
-   * Contacts and joints for each body up to which an island is a column; in walls and heaps there
-   * are two, in loose heaps more than one, and a doll of eleven parts that lies on the ground has
-   * more, too.
+   * Contacts for each body up to which an island is a column; in walls and heaps there are two, and
+   * in loose heaps more than one.
    */
-  private static final float COLUMN_TIES = 1.1f;
+  private static final float COLUMN_CONTACTS = 1.1f;
 
   /** The 2 of the bound for columns, with a margin: near the bound a stack sways for long. */
   private static final float COLUMN_FACTOR = 1.5f;
@@ -61,13 +58,6 @@ public final class Effort {
   /** Substeps where most contacts carry nothing yet. */
   private static final float COLD_SUBSTEPS = 4f;
 
-  /**
-   * Factor by which the substeps that loads ask for may rise from step to step. A load is there in
-   * each step; a blow, such as a limb that hits the ground with all of a doll behind it, in one
-   * that is over when it is seen.
-   */
-  private static final float LOAD_RISE = 1.25f;
-
   /** Turn of a body in contact that is allowed in a substep, rad. */
   private static final float MOST_TURN = 0.2f;
 
@@ -80,7 +70,7 @@ public final class Effort {
   /** Error of joints under load that is allowed, in slops. */
   private static final float JOINT_SLOPS = 8f;
 
-  /** Mass ratio that a joint stands for, whatever the masses. */
+  /** Mass ratio that a joint of an island stands for, whatever the masses. */
   private static final float LENGTH_SHARE = 0.1f;
 
   /** Least number where there are joints: a beam of welds sags by what one pass leaves. */
@@ -98,7 +88,6 @@ public final class Effort {
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
   private final JointRows joints;
-  private final JointSets sets = new JointSets();
 
   public Effort(SolverBodies bodies, ContactConstraints contacts, JointRows joints) {
     this.bodies = bodies;
@@ -109,12 +98,8 @@ public final class Effort {
   /**
    * Returns the substeps that contacts {@code [c0, c1)} between a number of bodies ask for; may be
    * 0, or huge.
-   *
-   * @param jointCount number of joints between them
-   * @param before the substeps of the last step
    */
-  public float ofContacts(
-      int c0, int c1, int bodyCount, int jointCount, float before, StepConfig step) {
+  public float ofContacts(int c0, int c1, int bodyCount, StepConfig step) {
     float[] d = contacts.vel;
     float[] v = bodies.vel;
     float worst = 0f;
@@ -136,14 +121,9 @@ public final class Effort {
     float loaded = CONTACT_TIME * worst / (CONTACT_SLOPS * step.linearSlop);
     float turned = spin * step.dt / MOST_TURN;
     float cold = 2 * idle > c1 - c0 ? COLD_SUBSTEPS : 0f;
-    boolean column = c1 - c0 + jointCount < COLUMN_TIES * bodyCount;
+    boolean column = c1 - c0 < COLUMN_CONTACTS * bodyCount;
     float tall = column ? ofColumn(c0, c1, bodyCount, step) : 0f;
-    return Math.max(Math.max(cold, turned), Math.min(Math.max(loaded, tall), mostAfter(before)));
-  }
-
-  /** Returns up to how many substeps what may be a blow can ask for, after so many before. */
-  public static float mostAfter(float before) {
-    return LOAD_RISE * Math.max(before, COLD_SUBSTEPS);
+    return Math.max(Math.max(cold, tall), Math.max(loaded, turned));
   }
 
   /** No more bodies can stand on a contact than there are, nor than make up its load. */
@@ -181,17 +161,25 @@ public final class Effort {
 
   /** Returns the substeps that joints {@code [j0, j1)} ask for; may be huge. */
   public float ofJoints(int j0, int j1, StepConfig step) {
+    float light = 0f;
+    float heavy = Float.MAX_VALUE;
     float bend = 0f;
+    float twist = 0f;
     for (int r = j0; r < j1; r++) {
+      for (int k = 0; k < joints.bodyCount[r]; k++) {
+        float m = bodies.mass[SolverBodies.STRIDE * joints.bodies[joints.bodyAt[r] + k]];
+        light = Math.max(light, m);
+        heavy = m > 0f ? Math.min(heavy, m) : heavy;
+      }
       bend = Math.max(bend, joints.kernel[r].bend(joints, r, bodies));
+      twist = Math.max(twist, joints.kernel[r].twist(joints, r, bodies));
     }
-    sets.measure(joints, bodies, j0, j1);
     float gravity = gravity(step);
-    float ratio = Math.max(sets.massRatio, LENGTH_SHARE * sets.mostLinks);
+    float ratio = Math.max(light / heavy, LENGTH_SHARE * (j1 - j0));
     float loaded =
         ratio * gravity * step.dt * step.dt * JOINT_FACTOR / (JOINT_SLOPS * step.linearSlop);
     float bent = bend * step.dt * step.dt / (2f * BEND_SLOPS * step.linearSlop);
-    float twisted = sets.worstTwist * step.dt / (WELD_FACTOR * WELD_ANGLE);
+    float twisted = twist * step.dt * (j1 - j0) / (WELD_FACTOR * WELD_ANGLE);
     return Math.max(JOINT_SUBSTEPS, (float) Math.sqrt(Math.max(twisted, Math.max(loaded, bent))));
   }
 }
