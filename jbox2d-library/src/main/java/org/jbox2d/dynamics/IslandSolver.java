@@ -144,6 +144,10 @@ final class IslandSolver {
     }
   }
 
+  /**
+   * Comes before the slot is written. Bits are compared, so that a zero of the other sign is told
+   * from the one before.
+   */
   private void compareCentre(Body b, int slot) {
     Vec2 centre = b.m_sweep.localCenter;
     int o = SolverBodies.STRIDE * slot;
@@ -239,8 +243,8 @@ final class IslandSolver {
   }
 
   /**
-   * Comes before contacts: those of their bodies that do not move get slots, too, and rows are kept
-   * from step to step.
+   * Comes before contacts, which give slots to bodies that do not move, too: so those of joints
+   * have the same slots from step to step, and rows can be kept.
    */
   private void gatherJoints() {
     for (int i = 0; i < islands.stillCount; i++) {

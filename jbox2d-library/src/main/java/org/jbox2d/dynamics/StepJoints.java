@@ -35,13 +35,12 @@ final class StepJoints {
    * @param sameCentres whether the centres of mass of all these bodies are those of the last step
    */
   void gather(Islands islands, boolean sameCentres) {
-    if (sameCentres && build == islands.jointBuilds && slop == Settings.linearSlop) {
-      if (isSameOrder(islands)) {
-        writeDue();
-        return;
-      }
+    boolean same = sameCentres && build == islands.jointBuilds && slop == Settings.linearSlop;
+    if (same && isSameOrder(islands)) {
+      writeDue();
+    } else {
+      writeAll(islands);
     }
-    writeAll(islands);
   }
 
   /** Whether the joints, which are the same, are in the order of the rows. */

@@ -127,6 +127,7 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   @Override
   public void setObstacle(int proxyId, boolean isObstacle) {
     if (tree != null) {
+      // Asked for nothing but its refusal of an unknown id.
       strategy.getUserData(proxyId);
       tree.markLeaf(proxyId, isObstacle);
     }
@@ -134,16 +135,11 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
 
   @Override
   public void queryObstacles(TreeCallback callback, AABB aabb) {
-    if (tree == null) {
+    if (tree != null) {
+      tree.search(callback, aabb, true);
+    } else {
       strategy.query(callback, aabb);
-      return;
     }
-    Vec2 lower = aabb.lowerBound;
-    Vec2 upper = aabb.upperBound;
-    if (Float.isNaN(lower.x + lower.y) || Float.isNaN(upper.x + upper.y)) {
-      throw new IllegalArgumentException("box to query is NaN: " + lower + ", " + upper);
-    }
-    tree.searchObstacles(callback, lower.x, lower.y, upper.x, upper.y);
   }
 
   @Override

@@ -218,12 +218,7 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
    */
   @Override
   public final void query(TreeCallback callback, AABB aabb) {
-    Vec2 lower = aabb.lowerBound;
-    Vec2 upper = aabb.upperBound;
-    if (Float.isNaN(lower.x + lower.y) || Float.isNaN(upper.x + upper.y)) {
-      throw new IllegalArgumentException("box to query is NaN: " + lower + ", " + upper);
-    }
-    search(callback, lower.x, lower.y, upper.x, upper.y);
+    search(callback, aabb, false);
   }
 
   /**

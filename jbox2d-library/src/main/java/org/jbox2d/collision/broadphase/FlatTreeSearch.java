@@ -3,6 +3,7 @@ package org.jbox2d.collision.broadphase;
 import java.util.Arrays;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.callbacks.TreeRayCastCallback;
+import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.internal.IntArrayList;
 
@@ -28,29 +29,25 @@ abstract class FlatTreeSearch extends FlatTree {
 
   private int rayDepth;
 
-  /** Reports each leaf whose box meets the given one. */
-  final void search(TreeCallback callback, float minX, float minY, float maxX, float maxY) {
-    int base = stackTop;
-    try {
-      pushRoot();
-      int leaf = nextOverlap(base, minX, minY, maxX, maxY);
-      while (leaf != NULL && callback.treeCallback(leaf)) {
-        leaf = nextOverlap(base, minX, minY, maxX, maxY);
-      }
-    } finally {
-      stackTop = base;
+  /**
+   * Reports each leaf whose box meets the given one, or of those the obstacles alone.
+   *
+   * @throws IllegalArgumentException if the box is NaN
+   */
+  final void search(TreeCallback callback, AABB aabb, boolean obstacles) {
+    float minX = aabb.lowerBound.x;
+    float minY = aabb.lowerBound.y;
+    float maxX = aabb.upperBound.x;
+    float maxY = aabb.upperBound.y;
+    if (Float.isNaN(minX + minY) || Float.isNaN(maxX + maxY)) {
+      throw new IllegalArgumentException("box to query is NaN: " + aabb);
     }
-  }
-
-  /** Reports each leaf that is an obstacle and whose box meets the given one. */
-  final void searchObstacles(
-      TreeCallback callback, float minX, float minY, float maxX, float maxY) {
     int base = stackTop;
     try {
       pushRoot();
-      int leaf = nextObstacle(base, minX, minY, maxX, maxY);
+      int leaf = nextOverlap(base, obstacles, minX, minY, maxX, maxY);
       while (leaf != NULL && callback.treeCallback(leaf)) {
-        leaf = nextObstacle(base, minX, minY, maxX, maxY);
+        leaf = nextOverlap(base, obstacles, minX, minY, maxX, maxY);
       }
     } finally {
       stackTop = base;
@@ -66,10 +63,10 @@ abstract class FlatTreeSearch extends FlatTree {
     float maxY = bounds[i + 3];
     int base = stackTop;
     pushRoot();
-    int leaf = nextOverlap(base, minX, minY, maxX, maxY);
+    int leaf = nextOverlap(base, false, minX, minY, maxX, maxY);
     while (leaf != NULL) {
       out.add(leaf);
-      leaf = nextOverlap(base, minX, minY, maxX, maxY);
+      leaf = nextOverlap(base, false, minX, minY, maxX, maxY);
     }
   }
 
@@ -87,10 +84,11 @@ abstract class FlatTreeSearch extends FlatTree {
   }
 
   /**
-   * Works the stack down to {@code base} until it meets a leaf whose box meets the given one; -1 if
-   * there is none left.
+   * Works the stack down to {@code base} until it meets a leaf, or an obstacle, whose box meets the
+   * given one; -1 if there is none left.
    */
-  private int nextOverlap(int base, float minX, float minY, float maxX, float maxY) {
+  private int nextOverlap(
+      int base, boolean obstacles, float minX, float minY, float maxX, float maxY) {
     float[] box = bounds;
     int[] todo = stack;
     int top = stackTop;
@@ -98,6 +96,9 @@ abstract class FlatTreeSearch extends FlatTree {
       int node = todo[--top];
       int i = 4 * node;
       if (box[i] > maxX || box[i + 1] > maxY || box[i + 2] < minX || box[i + 3] < minY) {
+        continue;
+      }
+      if (obstacles && !obstacle[node]) {
         continue;
       }
       int child1 = m_child1[node];
@@ -114,29 +115,6 @@ abstract class FlatTreeSearch extends FlatTree {
       todo[top++] = child1;
     }
     stackTop = base;
-    return NULL;
-  }
-
-  /** As {@link #nextOverlap}, of obstacles alone. */
-  private int nextObstacle(int base, float minX, float minY, float maxX, float maxY) {
-    float[] box = bounds;
-    while (stackTop > base) {
-      int node = stack[--stackTop];
-      int i = 4 * node;
-      if (!obstacle[node]
-          || box[i] > maxX
-          || box[i + 1] > maxY
-          || box[i + 2] < minX
-          || box[i + 3] < minY) {
-        continue;
-      }
-      if (isLeaf(node)) {
-        return node;
-      }
-      reserve(2);
-      stack[stackTop++] = m_child2[node];
-      stack[stackTop++] = m_child1[node];
-    }
     return NULL;
   }
 

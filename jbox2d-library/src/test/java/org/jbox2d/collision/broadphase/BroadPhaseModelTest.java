@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.BiConsumer;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -17,6 +18,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.Tuple;
+import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.common.Vec2;
@@ -193,14 +195,25 @@ class BroadPhaseModelTest {
     }
 
     private void checkQuery(AABB box) {
+      checkReports(box, proxies.keySet(), broadPhase::query);
+    }
+
+    private void checkObstacles(AABB box) {
+      boolean knowsObstacles = !(strategy instanceof ForeignStrategy);
+      checkReports(box, knowsObstacles ? obstacles : proxies.keySet(), broadPhase::queryObstacles);
+    }
+
+    /** Each of the candidates that overlaps the box is reported once, and nothing else. */
+    private void checkReports(
+        AABB box, Set<Integer> candidates, BiConsumer<TreeCallback, AABB> query) {
       SortedSet<Integer> expected = new TreeSet<>();
-      for (int id : proxies.keySet()) {
+      for (int id : candidates) {
         if (AABB.testOverlap(broadPhase.getFatAABB(id), box)) {
           expected.add(id);
         }
       }
       List<Integer> reported = new ArrayList<>();
-      broadPhase.query(
+      query.accept(
           id -> {
             reported.add(id);
             return true;
@@ -208,26 +221,6 @@ class BroadPhaseModelTest {
           box);
       assertEquals(expected, new TreeSet<>(reported));
       assertEquals(expected.size(), reported.size(), "a proxy was reported twice");
-    }
-
-    private void checkObstacles(AABB box) {
-      boolean knowsObstacles = !(strategy instanceof ForeignStrategy);
-      SortedSet<Integer> expected = new TreeSet<>();
-      for (int id : proxies.keySet()) {
-        boolean counts = !knowsObstacles || obstacles.contains(id);
-        if (counts && AABB.testOverlap(broadPhase.getFatAABB(id), box)) {
-          expected.add(id);
-        }
-      }
-      List<Integer> reported = new ArrayList<>();
-      broadPhase.queryObstacles(
-          id -> {
-            reported.add(id);
-            return true;
-          },
-          box);
-      assertEquals(expected, new TreeSet<>(reported));
-      assertEquals(expected.size(), reported.size(), "an obstacle was reported twice");
     }
 
     private void checkRay(AABB box, float maxFraction) {
