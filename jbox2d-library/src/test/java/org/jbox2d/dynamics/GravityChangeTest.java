@@ -24,7 +24,7 @@ class GravityChangeTest {
   @Test
   void withSubstepsItComesApartSlowly() {
     assertTrue(fastestWithout(Solver.softStep(4)) < 0.08f);
-    assertTrue(fastestWithout(Solver.adaptive()) < 0.13f);
+    assertTrue(fastestWithout(Solver.adaptive()) < 0.08f);
   }
 
   private float fastestWithout(Solver solver) {

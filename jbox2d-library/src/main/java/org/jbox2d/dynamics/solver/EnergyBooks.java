@@ -17,16 +17,16 @@ final class EnergyBooks {
   private static final double TOLERANCE = 1e-5;
 
   /**
-   * Speed, as of the mean energy, from which on a gain matters, m/s. Where less is at stake, as in
-   * a stack that sets itself down, what kept impulses bring in too much also holds up what the
-   * iterations would let sink.
+   * Speed, as of the mean energy, from which on a gain is large whatever it stems from, m/s. Where
+   * less is at stake, as in a stack that sets itself down, what kept impulses bring in too much
+   * also holds up what the iterations would let sink.
    */
-  private static final double WILD = 2;
+  static final double WILD = 2;
 
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
+  private double mass;
   private double bound;
-  private double harmless;
 
   EnergyBooks(SolverBodies bodies, ContactConstraints contacts) {
     this.bodies = bodies;
@@ -36,22 +36,23 @@ final class EnergyBooks {
   /** Notes the energy of the bodies {@code slots[b0, b1)}. */
   void open(int[] slots, int b0, int b1) {
     float[] m = bodies.mass;
-    double mass = 0;
+    mass = 0;
     for (int k = b0; k < b1; k++) {
       float inverse = m[SolverBodies.STRIDE * slots[k]];
       mass += inverse > 0f ? 1f / inverse : 0f;
     }
-    harmless = 0.5 * mass * WILD * WILD;
     bound = kinetic(slots, b0, b1) * (1 + TOLERANCE);
   }
 
   /**
    * Whether the bodies have much energy now, and more than they had and were given by the forces of
    * a step along their ways in it.
+   *
+   * @param speed as of the mean energy, from which on it is much, m/s
    */
-  boolean isExceeded(int[] slots, int b0, int b1) {
+  boolean isExceeded(int[] slots, int b0, int b1, double speed) {
     double now = kinetic(slots, b0, b1);
-    return now > harmless && now > bound && now > bound + work(slots, b0, b1);
+    return now > 0.5 * mass * speed * speed && now > bound && now > bound + work(slots, b0, b1);
   }
 
   private double work(int[] slots, int b0, int b1) {

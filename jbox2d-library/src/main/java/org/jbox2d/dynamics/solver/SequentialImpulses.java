@@ -50,10 +50,11 @@ public final class SequentialImpulses {
    * EnergyBooks}.
    */
   public void takeGain(int[] slots, int b0, int b1, int c0, int c1, StepConfig step) {
-    if (!energy.isExceeded(slots, b0, b1) || energy.isDriven(c0, c1)) {
+    double wild = EnergyBooks.WILD;
+    if (!energy.isExceeded(slots, b0, b1, wild) || energy.isDriven(c0, c1)) {
       return;
     }
-    for (int n = 0; n < MOST_ROUNDS && energy.isExceeded(slots, b0, b1); n++) {
+    for (int n = 0; n < MOST_ROUNDS && energy.isExceeded(slots, b0, b1, wild); n++) {
       solveVelocities(c0, c1, 0, 0, step);
     }
   }

@@ -65,15 +65,6 @@ public final class SoftStep {
   /** The same where there are contacts alone: a blow that would press bodies through others. */
   private static final float VIOLENT_SLOPS = 10f;
 
-  /** Passes over an island that is solved anew: as many as sequential impulses mostly make. */
-  private static final int ANEW_PASSES = 8;
-
-  /**
-   * Speed that the last pass of a substep took away, from which on it is looked whether energy came
-   * in, m/s. At rest it is some millimetres.
-   */
-  private static final float VIOLENT = 0.5f;
-
   /**
    * By which share of itself the speed that relaxing takes away must change from pass to pass, if
    * another one is to be of use.
@@ -81,10 +72,10 @@ public final class SoftStep {
   private static final float STALLED = 1e-3f;
 
   private final SolverBodies bodies;
-  private final EnergyBooks energy;
   private final ContactConstraints contacts;
   private final JointRows joints;
   private final SoftContactKernel contactKernel = new SoftContactKernel();
+  private final SoftGain gain;
   private final StepConfig sub = new StepConfig();
 
   private boolean jointsSettled;
@@ -114,7 +105,7 @@ public final class SoftStep {
     this.bodies = bodies;
     this.contacts = contacts;
     this.joints = joints;
-    energy = new EnergyBooks(bodies, contacts);
+    gain = new SoftGain(bodies, contacts, contactKernel);
   }
 
   /**
@@ -167,7 +158,7 @@ public final class SoftStep {
   public boolean solve(
       int[] slots, int b0, int b1, int c0, int c1, int j0, int j1, StepConfig step, int substeps) {
     if (j0 == j1) {
-      energy.open(slots, b0, b1);
+      gain.open(slots, b0, b1, step, substeps);
     }
     prepareContacts(c0, c1, step, substeps);
     int cappedBefore = capped;
@@ -191,8 +182,8 @@ public final class SoftStep {
       }
       move(slots, b0, b1, j0 < j1);
       relax(c0, c1, j0, j1);
-      if (j0 == j1 && contactKernel.changed > VIOLENT) {
-        takeGain(slots, b0, b1, c0, c1);
+      if (j0 == j1) {
+        gain.take(slots, b0, b1, c0, c1, free, summed);
       }
       correctJoints(j0, j1, slots, b0, b1, n == substeps - 1);
       sub.next();
@@ -307,26 +298,6 @@ public final class SoftStep {
       }
       before = contactKernel.changed;
       solveJoints(j0, j1);
-      contactKernel.relax(contacts, bodies, c0, c1, summed, true);
-    }
-  }
-
-  /**
-   * Solves a substep anew from no impulses where what was kept has brought energy in, see {@link
-   * EnergyBooks}. The bodies have moved; it is the velocities that they take along.
-   */
-  private void takeGain(int[] slots, int b0, int b1, int c0, int c1) {
-    if (!energy.isExceeded(slots, b0, b1) || energy.isDriven(c0, c1)) {
-      return;
-    }
-    for (int k = b0; k < b1; k++) {
-      System.arraycopy(
-          free, SolverBodies.STRIDE * slots[k], bodies.vel, SolverBodies.STRIDE * slots[k], 3);
-    }
-    for (int i = c0; i < c1; i++) {
-      contactKernel.drop(contacts, i);
-    }
-    for (int n = 0; n < ANEW_PASSES; n++) {
       contactKernel.relax(contacts, bodies, c0, c1, summed, true);
     }
   }
