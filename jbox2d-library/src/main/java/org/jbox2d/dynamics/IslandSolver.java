@@ -318,38 +318,44 @@ final class IslandSolver {
   /**
    * How many substeps an island gets: as many as it needs now, and for a while after as many as it
    * has needed.
+   *
+   * <p>What contacts ask for at most doubles from step to step. They go by the impulses of the last
+   * step: a load is still there in the next, a blow is over. And what touches something is held but
+   * shortly even if it has joints: it loses more energy than a change of substeps takes, and its
+   * limbs turn fast for no longer than a blow lasts.
    */
   private int substepsOf(int island, StepConfig step, Solver solver) {
-    int[] c = islands.contactStart;
-    int[] j = islands.jointStart;
-    boolean jointed = j[island] < j[island + 1];
-    int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
-    float contacts = effort.ofContacts(c[island], c[island + 1], bodyCount, step);
-    float now = Math.max(solver.getLeastSubsteps(), contacts);
-    if (jointed) {
-      now = Math.max(now, effort.ofJoints(j[island], j[island + 1], step));
-    }
-    int most = mostSubsteps(island, solver);
-    now = Math.min(now, most);
-    float held = 0f;
+    int b0 = islands.bodyStart[island];
+    int b1 = islands.bodyStart[island + 1];
+    int held = 0;
     int age = Integer.MAX_VALUE;
-    for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+    for (int i = b0; i < b1; i++) {
       Body b = world.awake.bodies[islands.bodies[i]];
       held = Math.max(held, b.effort);
       age = Math.min(age, b.effortAge);
     }
+    int least = solver.getLeastSubsteps();
+    int most = mostSubsteps(island, solver);
+    int[] c = islands.contactStart;
+    int[] j = islands.jointStart;
+    boolean jointed = j[island] < j[island + 1];
+    float contacts = effort.ofContacts(c[island], c[island + 1], b1 - b0, step);
+    contacts = Math.min(contacts, 2 * Math.max(held, least));
+    float swing = jointed ? effort.ofJoints(j[island], j[island + 1], most, step) : 0f;
+    float now = Math.min(most, Math.max(least, Math.max(contacts, swing)));
+    int lasting = jointed ? SWING_HELD : PILE_HELD;
+    int young = c[island] < c[island + 1] ? lasting - PILE_HELD : 0;
     if (now > held || held > most) {
-      held = now;
-      age = 0;
+      held = (int) Math.ceil(now);
+      age = young;
     } else if (now >= EFFORT_FALL * held) {
-      age = 0;
-    } else if (++age > (jointed ? SWING_HELD : PILE_HELD)) {
-      held = Math.max(now, EFFORT_FALL * held);
-      age = 0;
+      age = young;
+    } else if (++age > lasting) {
+      held = (int) Math.ceil(Math.max(now, Math.min(EFFORT_FALL * held, held - 1f)));
+      age = lasting - PILE_HELD;
     }
-    int n = (int) Math.ceil(held);
-    keepEffort(island, n, age);
-    return n;
+    keepEffort(island, held, age);
+    return held;
   }
 
   /**

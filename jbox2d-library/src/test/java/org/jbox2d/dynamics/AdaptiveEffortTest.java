@@ -1,13 +1,15 @@
 package org.jbox2d.dynamics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.joints.RevoluteJointDef;
 import org.jbox2d.dynamics.joints.WeldJointDef;
 import org.junit.jupiter.api.Test;
 
-/** The adaptive solver sees what buckles and what sags. */
+/** The adaptive solver sees what buckles and sags, and what does not. */
 class AdaptiveEffortTest {
   /**
    * 16 bricks on each other, a little out of line. With the two substeps that the weight alone asks
@@ -16,9 +18,7 @@ class AdaptiveEffortTest {
   @Test
   void aColumnOfBricksStands() {
     World world = world();
-    PolygonShape floor = new PolygonShape();
-    floor.setAsBox(10f, 0.5f, new Vec2(0f, -0.5f), 0f);
-    world.createBody(new BodyDef()).createFixture(floor, 0f);
+    floor(world);
     Body[] bricks = new Body[16];
     for (int i = 0; i < bricks.length; i++) {
       bricks[i] = brick(world, 0.02f * (i % 3 - 1), 0.2f * i + 0.1f, 0.2f);
@@ -54,6 +54,52 @@ class AdaptiveEffortTest {
     }
     assertEquals(0f, lowest, 0.16f);
     assertEquals(0f, last.getPosition().y, 0.1f);
+  }
+
+  /**
+   * A brick that lies on the floor needs the least substeps there are. It kept three for ever:
+   * seven tenths of three, rounded up.
+   */
+  @Test
+  void whatLiesStillGetsTheLeast() {
+    World world = world();
+    floor(world);
+    Body brick = brick(world, 0f, 0.1f, 0.2f);
+    for (int i = 0; i < 180; i++) {
+      world.step(1f / 60f, 8, 3);
+    }
+    assertEquals(Solver.adaptive().getLeastSubsteps(), brick.effort);
+  }
+
+  /**
+   * Two planks and a hinge fall at 15 m/s. A blow is no load, and the spin that it gives a plank
+   * ends on the floor; they had six substeps and more for four seconds, which a swing may need.
+   */
+  @Test
+  void aBlowIsSoonForgotten() {
+    World world = world();
+    floor(world);
+    Body a = brick(world, 0f, 3f, 0.3f);
+    Body b = brick(world, 0.6f, 3f, 0.3f);
+    RevoluteJointDef hinge = new RevoluteJointDef();
+    hinge.initialize(a, b, new Vec2(0.3f, 3f));
+    world.createJoint(hinge);
+    for (Body plank : new Body[] {a, b}) {
+      plank.setLinearVelocity(new Vec2(0f, -15f));
+    }
+    b.setAngularVelocity(30f);
+    int most = 0;
+    for (int i = 0; i < 240; i++) {
+      world.step(1f / 60f, 8, 3);
+      most = Math.max(most, b.effort);
+    }
+    assertTrue(most > 4);
+    assertTrue(b.effort <= 4, "still " + b.effort + " of " + most);
+  }
+
+  private static void floor(World world) {
+    Body floor = Make.body(world, BodyType.STATIC, 0f, -0.5f);
+    floor.createFixture(Make.boxShape(10f, 0.5f), 0f);
   }
 
   private static World world() {

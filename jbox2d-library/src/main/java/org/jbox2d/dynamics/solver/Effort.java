@@ -19,7 +19,7 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  *   <li><b>Spin in contact.</b> A body that turns far in a substep meets its contacts where they no
  *       longer are; a wheel does not.
  *   <li><b>Cold contacts.</b> Where most contacts have not carried anything yet, there are no
- *       impulses to start from.
+ *       impulses to start from, and each substep passes them on by one contact.
  *   <li><b>Loads on joints.</b> One pass leaves an error of the order of {@code M / m g h^2} where
  *       the mass M may hang on joints of bodies of mass m, a chain with a weight at its end; it
  *       falls as the square of n. A chain of many links is such a weight by itself.
@@ -55,11 +55,11 @@ public final class Effort {
    */
   private static final float UPRIGHT_SHARE = 0.2f;
 
-  /** Substeps where most contacts carry nothing yet. */
+  /** Substeps where most contacts carry nothing yet; no more than there are contacts. */
   private static final float COLD_SUBSTEPS = 4f;
 
   /** Turn of a body in contact that is allowed in a substep, rad. */
-  private static final float MOST_TURN = 0.2f;
+  private static final float MOST_TURN = 0.25f;
 
   /**
    * Error of a chain's end for each {@code M / m g h^2}: measured on chains of ten links with ends
@@ -120,7 +120,7 @@ public final class Effort {
     }
     float loaded = CONTACT_TIME * worst / (CONTACT_SLOPS * step.linearSlop);
     float turned = spin * step.dt / MOST_TURN;
-    float cold = 2 * idle > c1 - c0 ? COLD_SUBSTEPS : 0f;
+    float cold = 2 * idle > c1 - c0 ? Math.min(COLD_SUBSTEPS, c1 - c0) : 0f;
     boolean column = c1 - c0 < COLUMN_CONTACTS * bodyCount;
     float tall = column ? ofColumn(c0, c1, bodyCount, step) : 0f;
     return Math.max(Math.max(cold, tall), Math.max(loaded, turned));
@@ -159,8 +159,19 @@ public final class Effort {
     return (float) Math.sqrt(x * x + y * y);
   }
 
-  /** Returns the substeps that joints {@code [j0, j1)} ask for; may be huge. */
-  public float ofJoints(int j0, int j1, StepConfig step) {
+  /**
+   * Returns the substeps that joints {@code [j0, j1)} ask for; may be huge.
+   *
+   * @param most substeps that the island may have; where the number of joints alone asks for them,
+   *     they are not looked at
+   */
+  public float ofJoints(int j0, int j1, int most, StepConfig step) {
+    float weight =
+        gravity(step) * step.dt * step.dt * JOINT_FACTOR / (JOINT_SLOPS * step.linearSlop);
+    float length = LENGTH_SHARE * (j1 - j0);
+    if (weight * length >= most * most) {
+      return most;
+    }
     float light = 0f;
     float heavy = Float.MAX_VALUE;
     float bend = 0f;
@@ -174,10 +185,7 @@ public final class Effort {
       bend = Math.max(bend, joints.kernel[r].bend(joints, r, bodies));
       twist = Math.max(twist, joints.kernel[r].twist(joints, r, bodies));
     }
-    float gravity = gravity(step);
-    float ratio = Math.max(light / heavy, LENGTH_SHARE * (j1 - j0));
-    float loaded =
-        ratio * gravity * step.dt * step.dt * JOINT_FACTOR / (JOINT_SLOPS * step.linearSlop);
+    float loaded = weight * Math.max(light / heavy, length);
     float bent = bend * step.dt * step.dt / (2f * BEND_SLOPS * step.linearSlop);
     float twisted = twist * step.dt * (j1 - j0) / (WELD_FACTOR * WELD_ANGLE);
     return Math.max(JOINT_SUBSTEPS, (float) Math.sqrt(Math.max(twisted, Math.max(loaded, bent))));
