@@ -15,38 +15,6 @@ import org.jbox2d.dynamics.solver.StepConfig;
  * solver island by island, scatters the results, reports them, and puts calm islands to sleep.
  */
 final class IslandSolver {
-  /**
-   * For how many steps an island keeps its substeps when it needs fewer, and by what share they
-   * then fall. Velocities belong to the middle of a substep, so each change of its length costs
-   * some energy, and one with the phase of a swing would go on taking or giving it; a pile settles
-   * by some tenths of a millimetre.
-   */
-  private static final int SWING_HELD = 240;
-
-  private static final int PILE_HELD = 30;
-
-  private static final float EFFORT_FALL = 0.7f;
-
-  /**
-   * Up to how many substeps an island gets one more after each step that its joints ended out of
-   * tolerance.
-   */
-  private static final int RESIDUAL_SUBSTEPS = 4;
-
-  /**
-   * For how many links in a row that bound is one higher. What a step leaves in a hanging row is
-   * {@code 1.8 N g h^2 / n^2} at its upper end, N the links and n the substeps: measured on chains
-   * of 30 to 300, with 4 to 32 substeps. A swing bears three times its weight and cracks like a
-   * whip; 200 links stretched to twice their length.
-   */
-  private static final int LINKS_A_SUBSTEP = 32;
-
-  /** Contacts and joints of an island times its substeps, above the usual number of those. */
-  private static final int MOST_EFFORT = 1024;
-
-  /** The same for links in a row, which need the more substeps the more they are. */
-  private static final int MOST_ROW_EFFORT = 4096;
-
   private final World world;
   private final Islands islands = new Islands();
   private final SolverBodies bodies = new SolverBodies();
@@ -55,7 +23,7 @@ final class IslandSolver {
   private final SequentialImpulses sequential =
       new SequentialImpulses(bodies, constraints, joints.rows);
   private final SoftStep soft = new SoftStep(bodies, constraints, joints.rows);
-  private final Effort effort = new Effort(bodies, constraints, joints.rows);
+  private final IslandEffort effort;
   private final SolvedContactReport report;
 
   /** Rises with each step; tells which bodies that do not move have a slot. */
@@ -75,6 +43,7 @@ final class IslandSolver {
 
   IslandSolver(World world) {
     this.world = world;
+    effort = new IslandEffort(world.awake, islands, new Effort(bodies, constraints, joints.rows));
     report = new SolvedContactReport(constraints, bodies, false);
   }
 
@@ -316,99 +285,13 @@ final class IslandSolver {
         soft.moveFree(islands.bodies[b[k]], step.dt);
         settled[k] = true;
       } else {
-        int n = solver.isAdaptive() ? substepsOf(k, step, solver) : solver.getLeastSubsteps();
+        int n = solver.isAdaptive() ? effort.substeps(k, step, solver) : solver.getLeastSubsteps();
         settled[k] =
             soft.solve(islands.bodies, b[k], b[k + 1], c[k], c[k + 1], j[k], j[k + 1], step, n);
-        if (solver.isAdaptive() && !soft.jointsSettled() && n < residualSubsteps(k)) {
-          keepEffort(k, Math.min(n + 1, mostSubsteps(k, solver)), 0);
+        if (solver.isAdaptive() && !soft.jointsSettled()) {
+          effort.noteStretched(k, n, solver);
         }
       }
-    }
-  }
-
-  /**
-   * How many substeps an island gets: as many as it needs now, and for a while after as many as it
-   * has needed.
-   *
-   * <p>What contacts ask for at most doubles from step to step. They go by the impulses of the last
-   * step: a load is still there in the next, a blow is over. And what touches something is held but
-   * shortly even if it has joints: it loses more energy than a change of substeps takes, and its
-   * limbs turn fast for no longer than a blow lasts.
-   */
-  private int substepsOf(int island, StepConfig step, Solver solver) {
-    int b0 = islands.bodyStart[island];
-    int b1 = islands.bodyStart[island + 1];
-    int held = 0;
-    int age = Integer.MAX_VALUE;
-    for (int i = b0; i < b1; i++) {
-      Body b = world.awake.bodies[islands.bodies[i]];
-      held = Math.max(held, b.effort);
-      age = Math.min(age, b.effortAge);
-    }
-    int least = solver.getLeastSubsteps();
-    int most = mostSubsteps(island, solver);
-    int[] c = islands.contactStart;
-    int[] j = islands.jointStart;
-    boolean jointed = j[island] < j[island + 1];
-    float contacts = effort.ofContacts(c[island], c[island + 1], b1 - b0, step);
-    contacts = Math.min(contacts, 2 * Math.max(held, least));
-    float swing = jointed ? effort.ofJoints(j[island], j[island + 1], most, step) : 0f;
-    float now = Math.min(most, Math.max(least, Math.max(contacts, swing)));
-    int lasting = jointed ? SWING_HELD : PILE_HELD;
-    int young = c[island] < c[island + 1] ? lasting - PILE_HELD : 0;
-    if (now > held || held > most) {
-      held = (int) Math.ceil(now);
-      age = young;
-    } else if (now >= EFFORT_FALL * held) {
-      age = young;
-    } else if (++age > lasting) {
-      held = (int) Math.ceil(Math.max(now, Math.min(EFFORT_FALL * held, held - 1f)));
-      age = lasting - PILE_HELD;
-    }
-    keepEffort(island, held, age);
-    return held;
-  }
-
-  /**
-   * The bound of the substeps of an island: that of the solver, and for a large one what keeps its
-   * cost in bounds. In a pile of thousands it is no matter if some small body gives way to its
-   * load.
-   */
-  private int mostSubsteps(int island, Solver solver) {
-    int rows =
-        islands.contactStart[island + 1]
-            - islands.contactStart[island]
-            + islands.jointStart[island + 1]
-            - islands.jointStart[island];
-    int effort = isRow(island) ? MOST_ROW_EFFORT : MOST_EFFORT;
-    int affordable = Math.max(Solver.DEFAULT_SUBSTEPS, effort / rows);
-    return Math.max(solver.getLeastSubsteps(), Math.min(solver.getMostSubsteps(), affordable));
-  }
-
-  /** Up to how many substeps an island gets more where its joints are out of tolerance. */
-  private int residualSubsteps(int island) {
-    int links = islands.jointStart[island + 1] - islands.jointStart[island];
-    return RESIDUAL_SUBSTEPS + (isRow(island) ? links / LINKS_A_SUBSTEP : 0);
-  }
-
-  /**
-   * Whether an island touches nothing and has hardly more joints than bodies: a chain, a bridge, a
-   * tree. In a net the ways are short; and against contacts joints may be out of tolerance however
-   * many substeps there are.
-   */
-  private boolean isRow(int island) {
-    int[] c = islands.contactStart;
-    int[] j = islands.jointStart;
-    int[] b = islands.bodyStart;
-    return c[island] == c[island + 1] && j[island + 1] - j[island] <= b[island + 1] - b[island] + 1;
-  }
-
-  /** Notes how many substeps an island has, and for how long it has needed less. */
-  private void keepEffort(int island, int substeps, int age) {
-    for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-      Body b = world.awake.bodies[islands.bodies[i]];
-      b.effort = substeps;
-      b.effortAge = age;
     }
   }
 

@@ -333,6 +333,16 @@ final class Islands {
     return i < half ? 2 * i : 2 * (i - half) + 1;
   }
 
+  /** Whether an island has contacts to solve. */
+  boolean hasContacts(int island) {
+    return contactStart[island] < contactStart[island + 1];
+  }
+
+  /** Whether an island has joints to solve. */
+  boolean hasJoints(int island) {
+    return jointStart[island] < jointStart[island + 1];
+  }
+
   /** Fills in {@link #bodies}, for solvers that need them; counting sort by island, stable. */
   void groupBodies() {
     if (bodies.length < slots) {
