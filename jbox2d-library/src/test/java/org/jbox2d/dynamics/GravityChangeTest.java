@@ -20,11 +20,14 @@ class GravityChangeTest {
     assertTrue(fastest(world, 60) < 0.001f);
   }
 
-  /** Soft contacts give back the way by which they were pressed; before, it was 0.24 m/s. */
+  /**
+   * Soft contacts give back the way by which they were pressed. That threw the stack up at 0.24
+   * m/s, and at 0.07 when what was above 0.05 of the mean energy was taken away.
+   */
   @Test
   void withSubstepsItComesApartSlowly() {
-    assertTrue(fastestWithout(Solver.softStep(4)) < 0.08f);
-    assertTrue(fastestWithout(Solver.adaptive()) < 0.08f);
+    assertTrue(fastestWithout(Solver.softStep(4)) < 0.02f);
+    assertTrue(fastestWithout(Solver.adaptive()) < 0.02f);
   }
 
   private float fastestWithout(Solver solver) {

@@ -37,9 +37,9 @@ class SuiteTest {
               "heavy_on_tower",
               "column"),
           Contender.SOFT,
-          Set.of("chain_load_100", "chain_load_1000", "gravity_off"),
+          Set.of("chain_load_100", "chain_load_1000"),
           Contender.ADAPTIVE,
-          Set.of("gravity_off"));
+          Set.of());
 
   static Stream<Arguments> held() {
     List<Scene> scenes = new ArrayList<>(Suite.common());

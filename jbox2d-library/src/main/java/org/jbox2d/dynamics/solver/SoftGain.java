@@ -10,25 +10,34 @@ package org.jbox2d.dynamics.solver;
  * anew from no impulses.
  */
 final class SoftGain {
-  /** Further passes over an island that has gained energy, at most. */
-  private static final int PASSES = 8;
+  /**
+   * Further passes over an island that has gained energy, at most. Most need a few; a stack whose
+   * gravity ends, where each pass takes what is too much on by one storey, as many as it is high.
+   */
+  private static final int PASSES = 32;
 
   /** Passes over an island that is solved anew: as many as sequential impulses mostly make. */
   private static final int ANEW_PASSES = 8;
 
   /**
-   * Speed that the last pass of a substep took away, from which on it is looked whether energy came
-   * in, m/s. At rest it is some millimetres; where a load is gone each contact of a pile gives but
-   * a little, and all of them together throw up what lies on top.
+   * Speed, as of the mean energy of an island, from which on a gain is taken away, m/s, whatever
+   * the gravity. Far less is not seen.
    */
-  private static final float UNREST = 0.02f;
+  private static final double LEAST_SPEED = 0.005;
 
   /**
-   * Speed, as of the mean energy of an island, from which on a gain is taken away, m/s, or that of
-   * a fall for a substep if it is more. So much is in an island that sets itself down; taken away
-   * there, it would sink, and with 0.02 m/s a house of cards fell.
+   * Time of a fall to that speed under gravity, s, if a substep is not longer: 0.05 m/s on earth.
+   * So much is in an island that sets itself down; taken away there, it would sink, and from 0.02
+   * m/s on a house of cards fell. Without gravity nothing sets itself down.
    */
-  private static final double LEAST_SPEED = 0.05;
+  private static final double LEAST_FALL = 0.005;
+
+  /**
+   * Speed that the last pass of a substep took away, as a share of that speed, from which on it is
+   * looked whether energy came in. At rest it is less; where a load is gone each contact of a pile
+   * gives but a little, and all of them together throw up what lies on top.
+   */
+  private static final double UNREST = 0.4;
 
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
@@ -48,7 +57,8 @@ final class SoftGain {
     energy.open(slots, b0, b1);
     double x = step.gravityX;
     double y = step.gravityY;
-    much = Math.max(LEAST_SPEED, Math.sqrt(x * x + y * y) * step.dt / substeps);
+    double fall = Math.max(LEAST_FALL, step.dt / substeps);
+    much = Math.max(LEAST_SPEED, Math.sqrt(x * x + y * y) * fall);
   }
 
   /**
@@ -58,7 +68,7 @@ final class SoftGain {
    * @param summed as in {@link SoftContactKernel#relax}
    */
   void take(int[] slots, int b0, int b1, int c0, int c1, float[] free, boolean summed) {
-    if (kernel.changed <= UNREST
+    if (kernel.changed <= UNREST * much
         || !energy.isExceeded(slots, b0, b1, much)
         || energy.isDriven(c0, c1)) {
       return;
