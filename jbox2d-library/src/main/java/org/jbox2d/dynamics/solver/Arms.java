@@ -76,6 +76,13 @@ public final class Arms {
   /** See {@link #BEND_RISE}. */
   private static final float NEW_BEND_SLOPS = 0.5f;
 
+  /**
+   * By what factor the stretch of a length may come to exceed that of the velocities at its start,
+   * which belong to the middle of the step before: less than for a bend, since small bodies far
+   * inside of it gain energy.
+   */
+  private static final float STRETCH_RISE = 1.1f;
+
   private Arms() {}
 
   /**
@@ -103,14 +110,9 @@ public final class Arms {
     return BEND_RISE * atStart + NEW_BEND_SLOPS * step.linearSlop * step.invDt;
   }
 
-  /** The same for {@link #bendAlong} in a direction u in which the points are to coincide. */
-  static float mostBendAlong(
-      float[] f, int o, SolverBodies bodies, int a, int b, float ux, float uy, StepConfig step) {
-    float gap = ux * gapX(f, o, bodies.pos, a, b) + uy * gapY(f, o, bodies.pos, a, b);
-    if (Math.abs(gap) > BENT_SLOPS * step.linearSlop) {
-      return 0f;
-    }
-    return mostBend(Math.abs(bendAlong(f, o, bodies, a, b, ux, uy, step)), step);
+  /** Whether the bend of a path is followed across a gap; see {@link #BENT_SLOPS}. */
+  static boolean isBent(float gap, StepConfig step) {
+    return Math.abs(gap) <= BENT_SLOPS * step.linearSlop;
   }
 
   /** Fills in the block: points relative to the centres of mass, in the bodies' frames, m. */
@@ -185,21 +187,41 @@ public final class Arms {
   }
 
   /**
-   * The same along a direction u that turns with A: {@code h/2 d2/dt2 (u . d) = u . bend + h wA u'
-   * . ddot - h/2 wA^2 u . d}, the Coriolis and centrifugal terms of d seen in A's frame.
+   * The same along a direction u that turns with A by t = w h. With D the gap d at the end of the
+   * step, where {@code u(t) = cos t u + sin t u'}, {@code u(t) . D} is above {@code u . (d + h
+   * ddot) + t u' . d} by
+   *
+   * <pre>  h u . bend + sin t u' . (D - d) - (1 - cos t) u . D - (t - sin t) u' . d</pre>
+   *
+   * <p>To second order those are the Coriolis and centrifugal terms of d seen in A's frame; but an
+   * energy that is to last needs the third as well.
+   *
+   * @param along u . d at the start of the step, m
+   * @param across u' . d, {@code u' = (-uy, ux)}, m
    */
   static float bendAlong(
-      float[] f, int o, SolverBodies bodies, int a, int b, float ux, float uy, StepConfig step) {
+      float[] f,
+      int o,
+      float[] v,
+      int a,
+      int b,
+      float ux,
+      float uy,
+      float along,
+      float across,
+      StepConfig step) {
     float h = step.dt;
-    float[] v = bodies.vel;
-    float[] x = bodies.pos;
+    float invH = step.invDt;
     float t = Math.max(-LARGEST_SWING, Math.min(LARGEST_SWING, v[a + 2] * h));
-    float sideways = ux * speedY(f, o, v, a, b) - uy * speedX(f, o, v, a, b);
-    float gap = ux * gapX(f, o, x, a, b) + uy * gapY(f, o, x, a, b);
-    return ux * bendX(f, o, v, a, b, h, step.invDt)
-        + uy * bendY(f, o, v, a, b, h, step.invDt)
-        + t * sideways
-        - 0.5f * t * t * step.invDt * gap;
+    float bendX = bendX(f, o, v, a, b, h, invH);
+    float bendY = bendY(f, o, v, a, b, h, invH);
+    float wayX = speedX(f, o, v, a, b) + bendX;
+    float wayY = speedY(f, o, v, a, b) + bendY;
+    return ux * bendX
+        + uy * bendY
+        + (t - lag(t)) * (ux * wayY - uy * wayX)
+        - versine(t) * (invH * along + ux * wayX + uy * wayY)
+        - lag(t) * invH * across;
   }
 
   /**
@@ -241,26 +263,29 @@ public final class Arms {
   static float stretch(
       float[] f, int o, float[] v, int a, int b, float ux, float uy, float invLength, float h) {
     float invH = 1f / h;
-    float across = ux * speedY(f, o, v, a, b) - uy * speedX(f, o, v, a, b);
-    return bow(across, invLength, h)
-        + ux * bendX(f, o, v, a, b, h, invH)
-        + uy * bendY(f, o, v, a, b, h, invH);
+    float bendX = bendX(f, o, v, a, b, h, invH);
+    float bendY = bendY(f, o, v, a, b, h, invH);
+    float wayX = speedX(f, o, v, a, b) + bendX;
+    float wayY = speedY(f, o, v, a, b) + bendY;
+    return ux * bendX
+        + uy * bendY
+        + bow(ux * wayX + uy * wayY, ux * wayY - uy * wayX, invLength, h);
   }
 
   /**
    * Bound of what {@link #stretch} may come to in the iterations of a step. The impulse along a gap
    * may turn a light body so fast that the gap's stretch changes by more than the impulse took
    * away: then each iteration would ask for a greater one than the last. Within a bound they cannot
-   * run away: what the velocities at the start of the step come to, and a slop in the step for what
-   * it brings; position correction does the rest. Where the length is far off already, see {@link
-   * #BENT_SLOPS}.
+   * run away: a tenth more than what the velocities at the start of the step come to, and a slop in
+   * the step for what it brings; position correction does the rest. Where the length is far off
+   * already, see {@link #BENT_SLOPS}.
    *
    * @param atStart the stretch by the velocities at the start of the step, m/s
    * @param error by how much the length is off, m
    */
   static float mostStretch(float atStart, float error, StepConfig step) {
     return Math.abs(error) <= BENT_SLOPS * step.linearSlop
-        ? Math.abs(atStart) + step.linearSlop * step.invDt
+        ? STRETCH_RISE * Math.abs(atStart) + step.linearSlop * step.invDt
         : 0f;
   }
 
@@ -276,13 +301,20 @@ public final class Arms {
   }
 
   /**
-   * A way {@code s = h v} across a length L makes it longer by {@code sqrt(L^2 + s^2) - L}: nearly
-   * {@code s^2 / (2 L)}, and here never more than s / 2, so that the iterations of several such
-   * constraints do not drive each other up.
+   * A way {@code s = h v} across makes a length L, which the way along has made {@code L' = L + h
+   * u}, longer by {@code sqrt(L'^2 + s^2) - L' = s^2 / (L' + sqrt(L'^2 + s^2))}; here never by more
+   * than s / 2, so that the iterations of several such constraints do not drive each other up.
+   *
+   * @param along u, m/s
+   * @param across v, m/s
    */
-  static float bow(float across, float invLength, float h) {
+  static float bow(float along, float across, float invLength, float h) {
     float speed = Math.abs(across);
-    return speed * 0.5f * Math.min(1f, h * speed * invLength);
+    float scale = h * invLength;
+    float length = Math.max(0f, 1f + scale * along);
+    float way = scale * speed;
+    float end = length + (float) Math.sqrt(length * length + way * way);
+    return speed * (way < 0.5f * end ? way / end : 0.5f);
   }
 
   /** Applies an impulse to point B and its opposite to point A. */

@@ -22,10 +22,11 @@ package org.jbox2d.dynamics.solver;
  * impulse that is not negative and may close what room is left within the step (see {@link
  * RevoluteKernel}).
  *
- * <p>The bend (see {@link Arms}) of d seen in A's turning frame, q the turning of the arms: {@code
- * h/2 d2/dt2 (n . d) = n . q - h wA a . ddot - h/2 wA^2 n . d}, the Coriolis and centrifugal terms;
- * along a likewise with {@code + h wA n . ddot}. Either is bounded, see {@link Arms#mostBend}.
- * Source of the model: Catto, "Modeling and solving constraints", GDC 2009.
+ * <p>The bend (see {@link Arms#bendAlong}) is that of d seen in A's turning frame: across the axis
+ * {@code n . q - h wA a . ddot - h/2 wA^2 n . d} to second order, q the turning of the arms, the
+ * Coriolis and centrifugal terms; along it likewise with {@code + h wA n . ddot}. Either is
+ * bounded, see {@link Arms#mostBend}. Source of the model: Catto, "Modeling and solving
+ * constraints", GDC 2009.
  */
 public final class PrismaticKernel extends JointKernel {
   /** Length of a row's block. */
@@ -46,7 +47,7 @@ public final class PrismaticKernel extends JointKernel {
   private static final int MOTOR_IMPULSE = 19;
   private static final int LOWER_IMPULSE = 20;
   private static final int UPPER_IMPULSE = 21;
-  // Own.
+  // Own; the first six as in Rail.
   private static final int AX = 22;
   private static final int AY = 23;
   private static final int S1 = 24;
@@ -64,6 +65,14 @@ public final class PrismaticKernel extends JointKernel {
 
   /** Turn of B against A in a step from which no bend is followed, rad. */
   private static final float MOST_TWIST = 0.02f;
+
+  /**
+   * Turn in a step from which on nothing is kept of the last one's impulses where bodies are far
+   * beyond a limit, rad: arms are long there and have turned by as much, so that along them the old
+   * impulses would be blows. Small discs that were thrown with a slider far outside of both gained
+   * eight powers of ten.
+   */
+  private static final float WILD_TURN = 0.1f;
 
   PrismaticKernel(int order) {
     super(order, ACROSS_IMPULSE, 5);
@@ -138,7 +147,7 @@ public final class PrismaticKernel extends JointKernel {
   @Override
   public void prepare(JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
     float[] f = rows.f;
-    float keep = step.warmStarting ? step.dtRatio : 0f;
+    float kept = step.warmStarting ? step.dtRatio : 0f;
     for (int r = from; r < to; r++) {
       int o = rows.floatAt[r];
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
@@ -146,17 +155,10 @@ public final class PrismaticKernel extends JointKernel {
       float translation = place(f, o, bodies, a, b);
       f[o + LOWER_ROOM] = Math.max(0f, translation - f[o + LOWER]) * step.invDt;
       f[o + UPPER_ROOM] = Math.max(0f, f[o + UPPER] - translation) * step.invDt;
-      // Bodies that a blow has set spinning against each other have no path to follow.
-      float twist = Math.abs(bodies.vel[b + 2] - bodies.vel[a + 2]) * step.dt;
-      f[o + MOST_BEND_ACROSS] =
-          twist > MOST_TWIST
-              ? 0f
-              : Arms.mostBendAlong(f, o, bodies, a, b, -f[o + AY], f[o + AX], step);
-      if (f[o + LIMITED] > 0f) {
-        float bend = bendAlong(f, o, bodies, a, b, step);
-        f[o + MOST_BEND_ALONG] = twist > MOST_TWIST ? 0f : Arms.mostBend(Math.abs(bend), step);
-      }
+      boundBends(f, o, bodies.vel, a, b, step);
 
+      boolean wild = isFarBeyond(f, o, step) && Math.abs(bodies.vel[a + 2]) * step.dt > WILD_TURN;
+      float keep = wild ? 0f : kept;
       f[o + ACROSS_IMPULSE] *= keep;
       f[o + ANGLE_IMPULSE] *= keep;
       f[o + MOTOR_IMPULSE] *= keep * f[o + DRIVEN];
@@ -167,14 +169,28 @@ public final class PrismaticKernel extends JointKernel {
     }
   }
 
-  private static float bendAcross(
-      float[] f, int o, SolverBodies bodies, int a, int b, StepConfig step) {
-    return Arms.bendAlong(f, o, bodies, a, b, -f[o + AY], f[o + AX], step);
+  /**
+   * Writes what the bends may come to. Their size together counts: turned by a step, one may grow
+   * from nothing. Bodies that a blow has set spinning against each other, or that are far beyond a
+   * limit, have no path to follow.
+   */
+  private static void boundBends(float[] f, int o, float[] v, int a, int b, StepConfig step) {
+    f[o + MOST_BEND_ACROSS] = 0f;
+    f[o + MOST_BEND_ALONG] = 0f;
+    float twist = Math.abs(v[b + 2] - v[a + 2]) * step.dt;
+    if (twist <= MOST_TWIST && !isFarBeyond(f, o, step)) {
+      float across = Rail.bendAcross(f, o, o + AX, v, a, b, step);
+      float along = f[o + LIMITED] > 0f ? Rail.bendAlong(f, o, o + AX, v, a, b, step) : 0f;
+      float most = Arms.mostBend((float) Math.sqrt(across * across + along * along), step);
+      f[o + MOST_BEND_ACROSS] = Arms.isBent(Rail.gapAcross(f, o, o + AX), step) ? most : 0f;
+      f[o + MOST_BEND_ALONG] = most;
+    }
   }
 
-  private static float bendAlong(
-      float[] f, int o, SolverBodies bodies, int a, int b, StepConfig step) {
-    return Arms.bendAlong(f, o, bodies, a, b, f[o + AX], f[o + AY], step);
+  private static boolean isFarBeyond(float[] f, int o, StepConfig step) {
+    float translation = Rail.gapAlong(f, o, o + AX);
+    float beyond = Math.max(f[o + LOWER] - translation, translation - f[o + UPPER]);
+    return f[o + LIMITED] > 0f && beyond > 0f && !Arms.isBent(beyond, step);
   }
 
   /** Computes axis, arms and masses at the bodies' positions; returns the translation. */
@@ -234,7 +250,7 @@ public final class PrismaticKernel extends JointKernel {
               - ay * (v[b] - v[a])
               + f[o + S2] * v[b + 2]
               - f[o + S1] * v[a + 2]
-              + Arms.bounded(bendAcross(f, o, bodies, a, b, step), f[o + MOST_BEND_ACROSS]);
+              + Arms.bounded(Rail.bendAcross(f, o, o + AX, v, a, b, step), f[o + MOST_BEND_ACROSS]);
       float c2 = v[b + 2] - v[a + 2];
       float p1 = -f[o + ACROSS_MASS] * (c1 - f[o + COUPLING] * c2);
       float p2 = -f[o + ANGLE_MASS] * c2 - f[o + COUPLING] * p1;
@@ -256,7 +272,8 @@ public final class PrismaticKernel extends JointKernel {
     float mass = f[o + ALONG_MASS];
     float speed =
         along(f, o, bodies.vel, a, b)
-            + Arms.bounded(bendAlong(f, o, bodies, a, b, step), f[o + MOST_BEND_ALONG]);
+            + Arms.bounded(
+                Rail.bendAlong(f, o, o + AX, bodies.vel, a, b, step), f[o + MOST_BEND_ALONG]);
     float old = f[o + LOWER_IMPULSE];
     f[o + LOWER_IMPULSE] = Math.max(0f, old - mass * (speed + f[o + LOWER_ROOM]));
     float p = f[o + LOWER_IMPULSE] - old;

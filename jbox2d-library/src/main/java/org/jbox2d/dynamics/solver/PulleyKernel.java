@@ -168,9 +168,10 @@ public final class PulleyKernel extends JointKernel {
     float ry = f[r + 1];
     float ux = f[u];
     float uy = f[u + 1];
-    float across = ux * (v[b + 1] + v[b + 2] * rx) - uy * (v[b] - v[b + 2] * ry);
+    float vx = v[b] - v[b + 2] * ry;
+    float vy = v[b + 1] + v[b + 2] * rx;
     float turn = v[b + 2] * step.dt;
-    return Arms.bow(across, invLength, step.dt)
+    return Arms.bow(ux * vx + uy * vy, ux * vy - uy * vx, invLength, step.dt)
         - step.invDt * Arms.bendOne(turn, ux * rx + uy * ry, ux * ry - uy * rx);
   }
 

@@ -73,7 +73,7 @@ public final class SoftStep {
 
   private final SolverBodies bodies;
   private final ContactConstraints contacts;
-  private final JointRows joints;
+  private final SoftJoints joints;
   private final SoftContactKernel contactKernel = new SoftContactKernel();
   private final SoftGain gain;
   private final StepConfig sub = new StepConfig();
@@ -104,7 +104,7 @@ public final class SoftStep {
   public SoftStep(SolverBodies bodies, ContactConstraints contacts, JointRows joints) {
     this.bodies = bodies;
     this.contacts = contacts;
-    this.joints = joints;
+    this.joints = new SoftJoints(bodies, joints);
     gain = new SoftGain(bodies, contacts, contactKernel);
   }
 
@@ -157,6 +157,7 @@ public final class SoftStep {
    */
   public boolean solve(
       int[] slots, int b0, int b1, int c0, int c1, int j0, int j1, StepConfig step, int substeps) {
+    joints.begin();
     if (j0 == j1) {
       gain.open(slots, b0, b1, step, substeps);
     }
@@ -167,7 +168,7 @@ public final class SoftStep {
         if (n > 0 && blow) {
           forgetImpulses(c0, c1, j0, j1);
         }
-        prepareJoints(j0, j1, slots, b0, b1);
+        prepareJoints(j0, j1, slots, b0, b1, c0 < c1);
         ContactVelocityKernel.warmStart(contacts, bodies, c0, c1);
       } else if (n == 0 || capped > cappedBefore) {
         cappedBefore = capped;
@@ -230,13 +231,13 @@ public final class SoftStep {
    * passed to and fro between the two; what is left of it would carry the body into what it hit.
    */
   private void push(int c0, int c1, int j0, int j1) {
-    solveJoints(j0, j1);
+    joints.solve(j0, j1, sub);
     contactKernel.push(contacts, bodies, c0, c1);
     float slops = j0 < j1 ? HARMLESS_SLOPS : VIOLENT_SLOPS;
     float harmless = slops * sub.linearSlop * sub.invDt;
     blow = contactKernel.closing > harmless;
     for (int n = 1; n < MOST_PUSHES && contactKernel.closing > harmless; n++) {
-      solveJoints(j0, j1);
+      joints.solve(j0, j1, sub);
       contactKernel.push(contacts, bodies, c0, c1);
     }
   }
@@ -263,13 +264,7 @@ public final class SoftStep {
     if (marks.length < bodies.count) {
       marks = new int[bodies.angle.length];
     }
-    mark++;
-    for (int r = j0; r < j1; r++) {
-      int at = joints.bodyAt[r];
-      for (int k = at; k < at + joints.bodyCount[r]; k++) {
-        marks[joints.bodies[k]] = mark;
-      }
-    }
+    joints.mark(j0, j1, marks, ++mark);
   }
 
   /**
@@ -279,7 +274,7 @@ public final class SoftStep {
    * which a heap of overlapping bodies is pushed apart, and what is left bursts it.
    */
   private void relax(int c0, int c1, int j0, int j1) {
-    solveJoints(j0, j1);
+    joints.solve(j0, j1, sub);
     contactKernel.relax(contacts, bodies, c0, c1, summed, false);
     int most = MOST_PUSHES;
     float harmless = HARMLESS_SLOPS * sub.linearSlop * sub.invStep;
@@ -297,7 +292,7 @@ public final class SoftStep {
         break;
       }
       before = contactKernel.changed;
-      solveJoints(j0, j1);
+      joints.solve(j0, j1, sub);
       contactKernel.relax(contacts, bodies, c0, c1, summed, true);
     }
   }
@@ -418,47 +413,18 @@ public final class SoftStep {
 
   // --- Joints ---
 
-  private void prepareJoints(int j0, int j1, int[] slots, int b0, int b1) {
-    for (int r = j0; r < j1; ) {
-      int end = joints.endOfRun(r, j1);
-      joints.kernel[r].keepVelocities(joints, r, end, bodies);
-      r = end;
-    }
+  private void prepareJoints(int j0, int j1, int[] slots, int b0, int b1, boolean touching) {
+    joints.keepVelocities(j0, j1);
     accelerate(slots, b0, b1);
-    for (int r = j0; r < j1; ) {
-      int end = joints.endOfRun(r, j1);
-      joints.kernel[r].prepare(joints, r, end, bodies, sub);
-      r = end;
+    joints.prepare(j0, j1, sub);
+    if (!touching) {
+      joints.findFast(j0, j1, slots, b0, b1, sub);
     }
   }
 
-  private void solveJoints(int j0, int j1) {
-    for (int r = j0; r < j1; ) {
-      int end = joints.endOfRun(r, j1);
-      joints.kernel[r].solveVelocity(joints, r, end, bodies, sub);
-      r = end;
-    }
-  }
-
-  /**
-   * Corrects positions in the last substep, and before it those of kernels that need it. Following
-   * their curves, joints hardly leave them in a substep; to correct all of them each time costs a
-   * sixth of a net's step, and errors stay the same to a few percent.
-   */
   private void correctJoints(int j0, int j1, int[] slots, int b0, int b1, boolean last) {
-    boolean corrected = false;
-    boolean done = true;
-    for (int r = j0; r < j1; ) {
-      int end = joints.endOfRun(r, j1);
-      JointKernel kernel = joints.kernel[r];
-      if (last || kernel.isCorrectedOften()) {
-        done &= kernel.solvePosition(joints, r, end, bodies, sub);
-        corrected = true;
-      }
-      r = end;
-    }
-    jointsSettled = done;
-    if (corrected) {
+    jointsSettled = joints.correct(j0, j1, last, sub);
+    if (joints.areCorrected(j0, j1, last)) {
       for (int k = b0; k < b1; k++) {
         int o = SolverBodies.STRIDE * slots[k];
         bodies.delta[o] = bodies.pos[o] - start[o];
@@ -476,11 +442,7 @@ public final class SoftStep {
         place(slots[k]);
       }
     }
-    for (int r = j0; r < j1; ) {
-      int end = joints.endOfRun(r, j1);
-      joints.kernel[r].scaleImpulses(joints, r, end, substeps);
-      r = end;
-    }
+    joints.scaleImpulses(j0, j1, substeps);
     float[] d = contacts.vel;
     for (int i = c0; i < c1; i++) {
       scaleImpulses(d, V_STRIDE * i + POINT, substeps);

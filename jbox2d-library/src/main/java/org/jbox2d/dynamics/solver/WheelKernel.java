@@ -35,7 +35,7 @@ public final class WheelKernel extends JointKernel {
   private static final int ACROSS_IMPULSE = 21;
   private static final int SPRING_IMPULSE = 22;
   private static final int MOTOR_IMPULSE = 23;
-  // Own.
+  // Own; the first six as in Rail.
   private static final int AX = 24;
   private static final int AY = 25;
   private static final int S1 = 26;
@@ -133,7 +133,9 @@ public final class WheelKernel extends JointKernel {
       }
       float turning = m[a + 1] + m[b + 1];
       f[o + MOTOR_MASS] = turning > 0f ? 1f / turning : 0f;
-      f[o + MOST_BEND] = Arms.mostBendAlong(f, o, bodies, a, b, -f[o + AY], f[o + AX], step);
+      float bend = Rail.bendAcross(f, o, o + AX, bodies.vel, a, b, step);
+      boolean bent = Arms.isBent(Rail.gapAcross(f, o, o + AX), step);
+      f[o + MOST_BEND] = bent ? Arms.mostBend(Math.abs(bend), step) : 0f;
 
       f[o + ACROSS_IMPULSE] *= keep;
       f[o + SPRING_IMPULSE] *= keep;
@@ -205,7 +207,7 @@ public final class WheelKernel extends JointKernel {
               - ay * (v[b] - v[a])
               + f[o + S2] * v[b + 2]
               - f[o + S1] * v[a + 2];
-      float bend = Arms.bendAlong(f, o, bodies, a, b, -ay, ax, step);
+      float bend = Rail.bendAcross(f, o, o + AX, v, a, b, step);
       float p = -f[o + ACROSS_MASS] * (speed + Arms.bounded(bend, f[o + MOST_BEND]));
       f[o + ACROSS_IMPULSE] += p;
       push(f, o, bodies, a, b, 0f, p, 0f);

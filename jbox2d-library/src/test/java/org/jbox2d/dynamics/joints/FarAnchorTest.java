@@ -34,7 +34,10 @@ class FarAnchorTest {
     ROPE,
     PULLEY,
     REVOLUTE,
-    WELD
+    WELD,
+    PRISMATIC,
+    LIMITED_PRISMATIC,
+    WHEEL
   }
 
   @ParameterizedTest
@@ -102,6 +105,19 @@ class FarAnchorTest {
         WeldJointDef weld = new WeldJointDef();
         weld.initialize(a, b, atA);
         return weld;
+      case PRISMATIC:
+      case LIMITED_PRISMATIC:
+        PrismaticJointDef prismatic = new PrismaticJointDef();
+        prismatic.initialize(a, b, atA, new Vec2(0.6f, 0.8f));
+        prismatic.enableLimit = kind == Kind.LIMITED_PRISMATIC;
+        prismatic.lowerTranslation = -0.1f;
+        prismatic.upperTranslation = 0.1f;
+        return prismatic;
+      case WHEEL:
+        WheelJointDef wheel = new WheelJointDef();
+        wheel.initialize(a, b, atA, new Vec2(0.6f, 0.8f));
+        wheel.frequencyHz = 0f;
+        return wheel;
       default:
         PulleyJointDef pulley = new PulleyJointDef();
         pulley.initialize(a, b, new Vec2(-1, 5), new Vec2(1, 5), atA, atB, 1.5f);
