@@ -36,12 +36,6 @@ final class DisturbedJoints implements ContactListener {
   /** N s; usual ones are below 1. */
   private static final float MOST_IMPULSE = 1e4f;
 
-  /**
-   * Farthest point of a moving body to which another one is tied, m: a limited hinge at an arm of
-   * many times the body's size may drive the iterations of a substep apart.
-   */
-  private static final float MOST_ARM = 2f;
-
   final World world = Make.world();
   private final Random random;
   private final List<Body> still = new ArrayList<>();
@@ -156,9 +150,6 @@ final class DisturbedJoints implements ContactListener {
       return;
     }
     Vec2 at = b.getWorldPoint(new Vec2(between(-0.3f, 0.3f), 0.1f));
-    if (a.getType() != BodyType.STATIC && a.getWorldCenter().sub(at).length() > MOST_ARM) {
-      return;
-    }
     boolean collide = random.nextInt(4) == 0;
     switch (random.nextInt(10)) {
       case 0 -> {

@@ -20,13 +20,31 @@ package org.jbox2d.dynamics.solver;
  * <p>An angular impulse T alone would tear the point apart, and where the arm is long (a bob of
  * radius r pinned 16 r away: inertia about the pin 500 times that about the centre) point and limit
  * would take hundreds of iterations to agree. So each T goes with the point impulse that leaves the
- * point's speed as it is, by elimination of the point from the system of both:
+ * point's speed as it is, by elimination of the point from the system of both, c their speeds:
  *
  * <pre>
- *   ( Kpp  Kpt ) (P)            P = -E T,  E = Kpp^-1 Kpt
- *   ( Ktp  Ktt ) (T)            thetadot gains S T,  S = Ktt - Ktp E   (Schur complement)
+ *   ( Kpp  Kpt ) (P)     (cp)     T = -(ct - E . cp) / S,   E = Kpp^-1 Kpt
+ *   ( Ktp  Ktt ) (T) = - (ct)     P = -Kpp^-1 cp - E T,     S = Ktt - Ktp E   (Schur complement)
  *   Kpt = iA rA' + iB rB',  r' = (-ry, rx),  Ktt = iA + iB
  * </pre>
+ *
+ * {@code E . cp} is by how much the pin, solved next, will turn the bodies back; it is 0 unless
+ * loads or other joints of theirs have moved the points. Without it, T would follow from one row
+ * and act along another: in the metric of the kinetic energy no orthogonal projection, which never
+ * adds to it, but an oblique one, which makes velocities up to {@code sqrt(Ktt / S)} times as
+ * large, 44 for a bob of half a metre 9 m from its pin. Then a second joint of the bob and this one
+ * drive each other up in each iteration.
+ *
+ * <p>With {@code Kpp^-1 = (m 1 + iA rA rA^T + iB rB rB^T) / det Kpp}, {@code m = mA + mB}, and S
+ * the determinant of the whole system (see {@link WeldKernel}) over that of Kpp (see {@link Arms}),
+ *
+ * <pre>
+ *   E = (m Kpt + iA iB (rA x rB) (rB - rA)) / det Kpp
+ *   S = m (m (iA + iB) + iA iB (rB - rA)^2) / det Kpp
+ * </pre>
+ *
+ * where nothing cancels. Of the differences above floats have no digit left at arms of some 30
+ * times the radius of gyration; an S of less than half its value has T overshoot further each time.
  */
 public final class RevoluteKernel extends JointKernel {
   /** Length of a row's block. */
@@ -57,8 +75,9 @@ public final class RevoluteKernel extends JointKernel {
   private static final int MOST_BEND = 28;
 
   /**
-   * Share of {@code Ktt} below which S is rounding of the difference that it is: the pin does not
-   * let the bodies turn at all.
+   * Share of {@code Ktt} below which S is not used: T and the moment of {@code -E T}, some 1 /
+   * share times what they leave together, would leave rounding. The pin does not let the bodies
+   * turn.
    */
   private static final float LEAST_TURN = 1e-5f;
 
@@ -137,7 +156,7 @@ public final class RevoluteKernel extends JointKernel {
       f[o + MOST_BEND] = Arms.mostBend(f, o, bodies, a, b, step);
       float axial = 0f;
       if (f[o + DRIVEN] + f[o + LIMITED] > 0f) {
-        eliminatePoint(f, o, m[a + 1], m[b + 1]);
+        eliminatePoint(f, o, m[a] + m[b], m[a + 1], m[b + 1]);
         float angle = bodies.angle[slotB] - bodies.angle[slotA] - f[o + REFERENCE];
         axial = prepareAngle(f, o, angle, keep, step.invDt);
       }
@@ -158,13 +177,23 @@ public final class RevoluteKernel extends JointKernel {
     return f[o + MOTOR_IMPULSE] + f[o + LOWER_IMPULSE] - f[o + UPPER_IMPULSE];
   }
 
-  private static void eliminatePoint(float[] f, int o, float iA, float iB) {
-    float kx = -(iA * f[o + Arms.RAY] + iB * f[o + Arms.RBY]);
-    float ky = iA * f[o + Arms.RAX] + iB * f[o + Arms.RBX];
-    f[o + EX] = f[o + M11] * kx + f[o + M12] * ky;
-    f[o + EY] = f[o + M12] * kx + f[o + M22] * ky;
+  /** Computes E and 1 / S; where the point cannot be held at all, the angle is solved alone. */
+  private static void eliminatePoint(float[] f, int o, float mass, float iA, float iB) {
+    float rAx = f[o + Arms.RAX];
+    float rAy = f[o + Arms.RAY];
+    float rBx = f[o + Arms.RBX];
+    float rBy = f[o + Arms.RBY];
+    float ex = rBx - rAx;
+    float ey = rBy - rAy;
+    float both = iA * iB;
+    float cross = rAx * rBy - rAy * rBx;
+    float arms = iA * (rAx * rAx + rAy * rAy) + iB * (rBx * rBx + rBy * rBy);
+    float det = mass * (mass + arms) + both * cross * cross;
+    float inv = det > 0f ? 1f / det : 0f;
+    f[o + EX] = inv * (both * cross * ex - mass * (iA * rAy + iB * rBy));
+    f[o + EY] = inv * (both * cross * ey + mass * (iA * rAx + iB * rBx));
     float turn = iA + iB;
-    float s = turn - kx * f[o + EX] - ky * f[o + EY];
+    float s = det > 0f ? inv * mass * (mass * turn + both * (ex * ex + ey * ey)) : turn;
     f[o + AXIAL_MASS] = s > LEAST_TURN * turn ? 1f / s : 0f;
   }
 
@@ -179,8 +208,8 @@ public final class RevoluteKernel extends JointKernel {
       int o = rows.floatAt[r];
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
-      if (f[o + DRIVEN] + f[o + LIMITED] > 0f) {
-        float turn = axialImpulse(f, o, v[b + 2] - v[a + 2], h);
+      if (f[o + DRIVEN] + f[o + LIMITED] > 0f && !isFree(f, o, v, a, b)) {
+        float turn = axialImpulse(f, o, pinnedSpeed(f, o, v, a, b, step), h);
         if (turn != 0f) {
           float alongX = -f[o + EX] * turn;
           float alongY = -f[o + EY] * turn;
@@ -191,6 +220,34 @@ public final class RevoluteKernel extends JointKernel {
       }
       PinKernel.solveVelocity(f, o, o + M11, o + IMPULSE_X, f[o + MOST_BEND], v, m, a, b, step);
     }
+  }
+
+  /**
+   * Whether the row turns freely between its limits, whatever the bend comes to: limits of most
+   * limbs and doors hardly ever act.
+   */
+  private static boolean isFree(float[] f, int o, float[] v, int a, int b) {
+    if (f[o + DRIVEN] + f[o + LOWER_IMPULSE] + f[o + UPPER_IMPULSE] > 0f) {
+      return false;
+    }
+    float ex = f[o + EX];
+    float ey = f[o + EY];
+    float speed = v[b + 2] - v[a + 2];
+    speed -= ex * Arms.speedX(f, o, v, a, b) + ey * Arms.speedY(f, o, v, a, b);
+    float bend = (Math.abs(ex) + Math.abs(ey)) * f[o + MOST_BEND];
+    return f[o + LOWER_ROOM] + speed > bend && f[o + UPPER_ROOM] - speed > bend;
+  }
+
+  /** {@code ct - E . cp}: at what speed the bodies will turn once the pin is solved. */
+  private static float pinnedSpeed(float[] f, int o, float[] v, int a, int b, StepConfig step) {
+    float cx = Arms.speedX(f, o, v, a, b);
+    float cy = Arms.speedY(f, o, v, a, b);
+    float most = f[o + MOST_BEND];
+    if (most > 0f) {
+      cx += Arms.bounded(Arms.bendX(f, o, v, a, b, step.dt, step.invDt), most);
+      cy += Arms.bounded(Arms.bendY(f, o, v, a, b, step.dt, step.invDt), most);
+    }
+    return v[b + 2] - v[a + 2] - f[o + EX] * cx - f[o + EY] * cy;
   }
 
   /** Motor, lower and upper limit in turn; each sees the speed the one before it has left. */
