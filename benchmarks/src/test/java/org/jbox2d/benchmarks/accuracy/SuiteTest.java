@@ -37,7 +37,7 @@ class SuiteTest {
               "heavy_on_tower",
               "column"),
           Contender.SOFT,
-          Set.of("chain_load_100", "chain_load_1000"),
+          Set.of(),
           Contender.ADAPTIVE,
           Set.of());
 

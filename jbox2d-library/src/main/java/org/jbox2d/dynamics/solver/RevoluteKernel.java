@@ -139,6 +139,22 @@ public final class RevoluteKernel extends JointKernel {
     return f[o + UPPER_IMPULSE];
   }
 
+  /** Whether a row has neither limit nor motor. */
+  static boolean isPlain(float[] f, int o) {
+    return f[o + DRIVEN] + f[o + LIMITED] == 0f;
+  }
+
+  /** Returns {@link Arms#mostBend} of a row that has been prepared, m/s. */
+  static float mostBend(float[] f, int o) {
+    return f[o + MOST_BEND];
+  }
+
+  /** Adds to the impulse on body B, N s. */
+  static void addImpulse(float[] f, int o, float x, float y) {
+    f[o + IMPULSE_X] += x;
+    f[o + IMPULSE_Y] += y;
+  }
+
   @Override
   public void prepare(JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
     float[] f = rows.f;
@@ -208,7 +224,7 @@ public final class RevoluteKernel extends JointKernel {
       int o = rows.floatAt[r];
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
       int b = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r] + 1];
-      if (f[o + DRIVEN] + f[o + LIMITED] > 0f && !isFree(f, o, v, a, b)) {
+      if (f[o + DRIVEN] + f[o + LIMITED] > 0f && !isBetweenLimits(f, o, v, a, b)) {
         float turn = axialImpulse(f, o, pinnedSpeed(f, o, v, a, b, step), h);
         if (turn != 0f) {
           float alongX = -f[o + EX] * turn;
@@ -226,7 +242,7 @@ public final class RevoluteKernel extends JointKernel {
    * Whether the row turns freely between its limits, whatever the bend comes to: limits of most
    * limbs and doors hardly ever act.
    */
-  private static boolean isFree(float[] f, int o, float[] v, int a, int b) {
+  private static boolean isBetweenLimits(float[] f, int o, float[] v, int a, int b) {
     if (f[o + DRIVEN] + f[o + LOWER_IMPULSE] + f[o + UPPER_IMPULSE] > 0f) {
       return false;
     }

@@ -20,6 +20,7 @@ final class SoftJoints {
 
   private final SolverBodies bodies;
   private final JointRows rows;
+  private final HingeChains chains;
 
   /** Joints that turn fast in this substep. */
   private int[] fast = new int[16];
@@ -29,11 +30,13 @@ final class SoftJoints {
   SoftJoints(SolverBodies bodies, JointRows rows) {
     this.bodies = bodies;
     this.rows = rows;
+    chains = new HingeChains(bodies, rows);
   }
 
-  /** Forgets what was found in another island. */
-  void begin() {
+  /** Begins an island: bodies {@code slots[b0, b1)}. */
+  void begin(int j0, int j1, int[] slots, int b0, int b1) {
     fastCount = 0;
+    chains.find(j0, j1, slots, b0, b1);
   }
 
   /** Notes velocities before the forces of a substep, for kernels that need them. */
@@ -53,6 +56,7 @@ final class SoftJoints {
       rows.kernel[r].prepare(rows, r, end, bodies, sub);
       r = end;
     }
+    chains.factor();
   }
 
   /**
@@ -103,6 +107,7 @@ final class SoftJoints {
         rows.kernel[r].solveVelocity(rows, r, r + 1, bodies, sub);
       }
     }
+    chains.solve(sub);
   }
 
   /**
@@ -113,6 +118,7 @@ final class SoftJoints {
    * @return whether all that were looked at are within tolerance
    */
   boolean correct(int j0, int j1, boolean last, StepConfig sub) {
+    chains.correct(sub);
     boolean done = true;
     for (int r = j0; r < j1; ) {
       int end = rows.endOfRun(r, j1);
@@ -126,7 +132,7 @@ final class SoftJoints {
 
   /** Whether {@link #correct} moves bodies. */
   boolean areCorrected(int j0, int j1, boolean last) {
-    if (last) {
+    if (last || chains.areThere()) {
       return j0 < j1;
     }
     for (int r = j0; r < j1; r = rows.endOfRun(r, j1)) {

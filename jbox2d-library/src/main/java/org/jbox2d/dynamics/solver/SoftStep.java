@@ -157,7 +157,7 @@ public final class SoftStep {
    */
   public boolean solve(
       int[] slots, int b0, int b1, int c0, int c1, int j0, int j1, StepConfig step, int substeps) {
-    joints.begin();
+    joints.begin(j0, j1, slots, b0, b1);
     if (j0 == j1) {
       gain.open(slots, b0, b1, step, substeps);
     }

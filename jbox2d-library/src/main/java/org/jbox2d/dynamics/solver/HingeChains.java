@@ -1,0 +1,332 @@
+package org.jbox2d.dynamics.solver;
+
+import java.util.Arrays;
+
+/**
+ * Solves rows of hinges at once where light bodies carry heavy ones. One pass over a chain leaves
+ * an error that grows with the ratio of the masses, see {@link Effort}: with four substeps a weight
+ * of a hundred links stretched ten of them by a sixtieth, one of a thousand by a sixth.
+ *
+ * <p>A chain is a row of hinges without limits and motors, each next two of which share a body that
+ * has no other hinges; at one end at least it hangs free. Its hinges are independent of each other,
+ * so that the matrix {@code A = J M^-1 J^T} of all its points is symmetric, positive definite, and
+ * tridiagonal in blocks, see {@link BlockTridiagonal}:
+ *
+ * <pre>
+ *   A(i, i)     = K of Arms
+ *   A(i, i - 1) = +-(m 1 + I r(i)' r(i - 1)'^T),   r' = (-ry, rx)
+ * </pre>
+ *
+ * with the inverse masses m, I and the arms r of the body that both share; minus where it is body A
+ * of the one and B of the other (Baraff, "Linear-time dynamics using Lagrange multipliers",
+ * SIGGRAPH 1996). Contacts and other joints of the bodies are iterated with the chain as one block.
+ *
+ * <p>Where both ends are held there may be more constraints than the bodies can move, as in a
+ * bridge that is pulled straight: it is left to iterations, which do not drive contradictions up.
+ */
+final class HingeChains {
+  /** Ratio of the masses in an island from which on chains are looked for. */
+  private static final float UNEVEN = 10f;
+
+  /** How often a chain is solved: the bend of its path follows from the velocity. */
+  private static final int PASSES = 2;
+
+  /**
+   * Turn in a substep up to which the bend of a link's path is followed, rad. Light links that
+   * crack like a whip turn further, and their bends change faster than passes can follow: followed,
+   * it brought energy in. Above it they are led along the tangent, which takes some.
+   */
+  private static final float MOST_TURN = 0.03f;
+
+  private final SolverBodies bodies;
+  private final JointRows rows;
+  private final BlockTridiagonal system = new BlockTridiagonal();
+
+  /** Chain k has the links {@code [chainStart[k], chainStart[k + 1])}. */
+  private int[] chainStart = new int[8];
+
+  private int chains;
+
+  /** The row of each link, and the body that it shares with the link before it. */
+  private int[] row = new int[16];
+
+  private int[] shared = new int[16];
+  private int links;
+
+  /** Hinges of each slot, and the first two of them. */
+  private int[] degree = new int[0];
+
+  private int[] hinges = new int[0];
+
+  /** Rows that are in a chain, by {@link #mark}, which is another for each island. */
+  private int[] marks = new int[0];
+
+  private int mark;
+
+  HingeChains(SolverBodies bodies, JointRows rows) {
+    this.bodies = bodies;
+    this.rows = rows;
+  }
+
+  // --- Find ---
+
+  /** Looks for the chains of an island: bodies {@code slots[b0, b1)}, rows {@code [j0, j1)}. */
+  void find(int j0, int j1, int[] slots, int b0, int b1) {
+    chains = 0;
+    links = 0;
+    if (j1 - j0 < 2 || !isUneven(slots, b0, b1)) {
+      return;
+    }
+    countHinges(j0, j1, slots, b0, b1);
+    for (int k = b0; k < b1; k++) {
+      int slot = slots[k];
+      if (degree[slot] == 1 && marks[hinges[2 * slot]] != mark) {
+        addChain(slot);
+      }
+    }
+  }
+
+  private boolean isUneven(int[] slots, int b0, int b1) {
+    float light = 0f;
+    float heavy = Float.MAX_VALUE;
+    for (int k = b0; k < b1; k++) {
+      float inverse = bodies.mass[SolverBodies.STRIDE * slots[k]];
+      light = Math.max(light, inverse);
+      heavy = inverse > 0f ? Math.min(heavy, inverse) : heavy;
+    }
+    return light > UNEVEN * heavy;
+  }
+
+  private void countHinges(int j0, int j1, int[] slots, int b0, int b1) {
+    if (degree.length < bodies.count) {
+      degree = new int[bodies.angle.length];
+      hinges = new int[2 * degree.length];
+    }
+    if (marks.length < rows.count) {
+      marks = new int[rows.floatAt.length];
+    }
+    mark++;
+    for (int k = b0; k < b1; k++) {
+      degree[slots[k]] = 0;
+    }
+    for (int r = j0; r < j1; r++) {
+      if (rows.kernel[r] == JointKernels.REVOLUTE
+          && RevoluteKernel.isPlain(rows.f, rows.floatAt[r])) {
+        count(bodyA(r), r);
+        count(bodyB(r), r);
+      }
+    }
+  }
+
+  private void count(int slot, int hinge) {
+    if (!isHeld(slot)) {
+      int n = degree[slot]++;
+      if (n < 2) {
+        hinges[2 * slot + n] = hinge;
+      }
+    }
+  }
+
+  private boolean isHeld(int slot) {
+    return bodies.mass[SolverBodies.STRIDE * slot] == 0f;
+  }
+
+  /** Adds the chain that ends freely at a body, if it has two links or more. */
+  private void addChain(int end) {
+    int start = links;
+    int slot = end;
+    int hinge = hinges[2 * slot];
+    while (marks[hinge] != mark) {
+      addLink(hinge, slot);
+      slot = bodyA(hinge) == slot ? bodyB(hinge) : bodyA(hinge);
+      if (isHeld(slot) || degree[slot] != 2) {
+        break;
+      }
+      int at = 2 * slot;
+      hinge = hinges[at] == hinge ? hinges[at + 1] : hinges[at];
+    }
+    if (links - start < 2) {
+      links = start;
+      return;
+    }
+    if (chains + 2 > chainStart.length) {
+      chainStart = Arrays.copyOf(chainStart, 2 * chainStart.length);
+    }
+    chainStart[chains++] = start;
+    chainStart[chains] = links;
+  }
+
+  private void addLink(int hinge, int slot) {
+    if (links == row.length) {
+      row = Arrays.copyOf(row, 2 * links);
+      shared = Arrays.copyOf(shared, 2 * links);
+    }
+    system.ensureCapacity(links + 1);
+    marks[hinge] = mark;
+    row[links] = hinge;
+    shared[links++] = slot;
+  }
+
+  /** Whether the island has chains. */
+  boolean areThere() {
+    return chains > 0;
+  }
+
+  private int bodyA(int r) {
+    return rows.bodies[rows.bodyAt[r]];
+  }
+
+  private int bodyB(int r) {
+    return rows.bodies[rows.bodyAt[r] + 1];
+  }
+
+  // --- Factor ---
+
+  /** Factors the chains' matrices; the arms of the rows have been turned. */
+  void factor() {
+    for (int k = 0; k < chains; k++) {
+      factor(chainStart[k], chainStart[k + 1]);
+    }
+  }
+
+  private void factor(int from, int to) {
+    float[] f = rows.f;
+    float[] m = bodies.mass;
+    for (int i = from; i < to; i++) {
+      int o = rows.floatAt[row[i]];
+      int a = SolverBodies.STRIDE * bodyA(row[i]);
+      int b = SolverBodies.STRIDE * bodyB(row[i]);
+      double rax = f[o + Arms.RAX];
+      double ray = f[o + Arms.RAY];
+      double rbx = f[o + Arms.RBX];
+      double rby = f[o + Arms.RBY];
+      double mass = (double) m[a] + m[b];
+      double ia = m[a + 1];
+      double ib = m[b + 1];
+      double k11 = mass + ia * ray * ray + ib * rby * rby;
+      double k12 = -(ia * rax * ray + ib * rbx * rby);
+      double k22 = mass + ia * rax * rax + ib * rbx * rbx;
+      if (i == from) {
+        system.factorFirst(i, k11, k12, k22);
+      } else {
+        factorNext(i, k11, k12, k22);
+      }
+    }
+  }
+
+  private void factorNext(int i, double k11, double k12, double k22) {
+    float[] f = rows.f;
+    int slot = shared[i];
+    boolean isB = bodyB(row[i]) == slot;
+    boolean wasB = bodyB(row[i - 1]) == slot;
+    int p = rows.floatAt[row[i - 1]] + (wasB ? Arms.RBX : Arms.RAX);
+    int q = rows.floatAt[row[i]] + (isB ? Arms.RBX : Arms.RAX);
+    double sign = isB == wasB ? 1 : -1;
+    double m = sign * bodies.mass[SolverBodies.STRIDE * slot];
+    double turn = sign * bodies.mass[SolverBodies.STRIDE * slot + 1];
+    double c11 = m + turn * f[q + 1] * f[p + 1];
+    double c12 = -turn * f[q + 1] * f[p];
+    double c21 = -turn * f[q] * f[p + 1];
+    double c22 = m + turn * f[q] * f[p];
+    system.factorNext(i, k11, k12, k22, c11, c12, c21, c22);
+  }
+
+  // --- Solve ---
+
+  /** Brings the points of all chains to the same velocity. */
+  void solve(StepConfig step) {
+    for (int k = 0; k < chains; k++) {
+      for (int n = 0; n < PASSES; n++) {
+        solve(chainStart[k], chainStart[k + 1], step);
+      }
+    }
+  }
+
+  private void solve(int from, int to, StepConfig step) {
+    for (int i = from; i < to; i++) {
+      writeSpeed(i, step);
+    }
+    system.solve(from, to);
+    for (int i = from; i < to; i++) {
+      int o = rows.floatAt[row[i]];
+      int a = SolverBodies.STRIDE * bodyA(row[i]);
+      int b = SolverBodies.STRIDE * bodyB(row[i]);
+      float x = (float) system.x(i);
+      float y = (float) system.y(i);
+      RevoluteKernel.addImpulse(rows.f, o, x, y);
+      Arms.push(rows.f, o, bodies.vel, bodies.mass, a, b, x, y, 0f);
+    }
+  }
+
+  /** Writes the speed at which a link's points come together, with the bend of their path. */
+  private void writeSpeed(int i, StepConfig step) {
+    float[] f = rows.f;
+    float[] v = bodies.vel;
+    int o = rows.floatAt[row[i]];
+    int a = SolverBodies.STRIDE * bodyA(row[i]);
+    int b = SolverBodies.STRIDE * bodyB(row[i]);
+    float x = Arms.speedX(f, o, v, a, b);
+    float y = Arms.speedY(f, o, v, a, b);
+    float most = RevoluteKernel.mostBend(f, o);
+    float turn = step.dt * Math.max(Math.abs(v[a + 2]), Math.abs(v[b + 2]));
+    if (most > 0f && turn <= MOST_TURN) {
+      x += Arms.bounded(Arms.bendX(f, o, v, a, b, step.dt, step.invDt), most);
+      y += Arms.bounded(Arms.bendY(f, o, v, a, b, step.dt, step.invDt), most);
+    }
+    system.write(i, -x, -y);
+  }
+
+  // --- Correct ---
+
+  /** One Newton step of all chains towards coincident points; turns the rows' arms. */
+  void correct(StepConfig step) {
+    for (int k = 0; k < chains; k++) {
+      correct(chainStart[k], chainStart[k + 1], step);
+    }
+  }
+
+  private void correct(int from, int to, StepConfig step) {
+    float[] f = rows.f;
+    float[] x = bodies.pos;
+    for (int i = from; i < to; i++) {
+      int o = rows.floatAt[row[i]];
+      int a = SolverBodies.STRIDE * bodyA(row[i]);
+      int b = SolverBodies.STRIDE * bodyB(row[i]);
+      Arms.turn(f, o, x, a, b);
+      system.write(i, -Arms.gapX(f, o, x, a, b), -Arms.gapY(f, o, x, a, b));
+    }
+    factor(from, to);
+    system.solve(from, to);
+    // Where bodies would turn far, they would overshoot: that is left to iterations.
+    if (largestTurn(from, to) > step.maxAngularCorrection) {
+      return;
+    }
+    for (int i = from; i < to; i++) {
+      int o = rows.floatAt[row[i]];
+      float px = (float) system.x(i);
+      float py = (float) system.y(i);
+      Arms.shift(f, o, bodies, bodyA(row[i]), bodyB(row[i]), px, py, 0f);
+    }
+  }
+
+  /** Returns how far the solution turns a body, rad. */
+  private double largestTurn(int from, int to) {
+    double most = 0;
+    for (int i = from; i < to; i++) {
+      // The body that a link shares with the one before, at the free end that which hangs there.
+      double turn = momentOn(shared[i], i) + (i > from ? momentOn(shared[i], i - 1) : 0);
+      most = Math.max(most, Math.abs(turn * bodies.mass[SolverBodies.STRIDE * shared[i] + 1]));
+    }
+    int last = bodyA(row[to - 1]) == shared[to - 1] ? bodyB(row[to - 1]) : bodyA(row[to - 1]);
+    double turn = momentOn(last, to - 1) * bodies.mass[SolverBodies.STRIDE * last + 1];
+    return Math.max(most, Math.abs(turn));
+  }
+
+  /** Returns the moment of a link's impulse on one of its bodies. */
+  private double momentOn(int slot, int i) {
+    boolean isB = bodyB(row[i]) == slot;
+    int r = rows.floatAt[row[i]] + (isB ? Arms.RBX : Arms.RAX);
+    double moment = rows.f[r] * system.y(i) - rows.f[r + 1] * system.x(i);
+    return isB ? moment : -moment;
+  }
+}

@@ -1,0 +1,108 @@
+package org.jbox2d.dynamics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.joints.Joint;
+import org.jbox2d.dynamics.joints.RevoluteJointDef;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Ten links of half a metre with a weight at their end. By iterations alone four substeps stretched
+ * them by 9 cm with a weight of a hundred links, by a metre with one of a thousand, and by more
+ * than their length with one of ten thousand.
+ */
+class LoadedChainTest {
+  private static final int LINKS = 10;
+  private static final float LENGTH = 0.5f;
+  private static final int SECOND = 60;
+
+  private World world;
+  private Body weight;
+
+  @ParameterizedTest
+  @CsvSource({"2, 100", "4, 100", "2, 1000", "4, 1000", "4, 10000"})
+  void hangsAsLongAsItIs(int substeps, float ratio) {
+    build(0f, ratio, Solver.softStep(substeps));
+    Make.steps(world, 10 * SECOND);
+    assertEquals(-LINKS * LENGTH, weight.getPosition().y, 0.001f);
+    assertTrue(largestGap() < 0.001f);
+    assertTrue(weight.getLinearVelocity().length() < 0.001f);
+  }
+
+  /** Let go level, its links crack when the weight passes below. */
+  @ParameterizedTest
+  @CsvSource({"20", "100", "1000"})
+  void holdsWhenItSwings(float ratio) {
+    build(0.5f * (float) Math.PI, ratio, Solver.adaptive());
+    float gap = 0f;
+    for (int i = 0; i < 20 * SECOND; i++) {
+      world.step(Make.STEP, 8, 3);
+      gap = Math.max(gap, largestGap());
+    }
+    assertTrue(gap < 0.02f, "gap " + gap);
+  }
+
+  /** What bears the weight is told by the upper hinge: the weight of all. */
+  @ParameterizedTest
+  @CsvSource({"100", "1000"})
+  void theUpperHingeBearsAll(float ratio) {
+    build(0f, ratio, Solver.softStep());
+    Make.steps(world, 2 * SECOND);
+    Joint upper = world.getJointList();
+    while (upper.getNext() != null) {
+      upper = upper.getNext();
+    }
+    Vec2 force = new Vec2();
+    upper.getReactionForce(SECOND, force);
+    float mass = weight.getMass() * (1 + LINKS / ratio);
+    assertEquals(mass * Make.G, force.y, 0.001f * mass * Make.G);
+  }
+
+  private void build(float angle, float ratio, Solver solver) {
+    world = Make.world();
+    world.setSolver(solver);
+    world.setAllowSleep(false);
+    Vec2 along = new Vec2((float) StrictMath.sin(angle), -(float) StrictMath.cos(angle));
+    Body last = Make.body(world, BodyType.STATIC, 0f, 0f);
+    for (int i = 0; i < LINKS; i++) {
+      Vec2 centre = along.mul((i + 0.5f) * LENGTH);
+      Body link = Make.body(world, BodyType.DYNAMIC, centre.x, centre.y);
+      link.setTransform(centre, angle);
+      link.createFixture(Make.boxShape(0.05f, 0.5f * LENGTH), 1f).setSensor(true);
+      join(last, link, along.mul(i * LENGTH));
+      last = link;
+    }
+    Vec2 end = along.mul(LINKS * LENGTH);
+    weight = Make.body(world, BodyType.DYNAMIC, end.x, end.y);
+    weight.createFixture(Make.boxShape(0.5f, 0.5f), 1f).setSensor(true);
+    MassData data = new MassData();
+    weight.getMassData(data);
+    float mass = ratio * last.getMass();
+    data.I *= mass / data.mass;
+    data.mass = mass;
+    weight.setMassData(data);
+    join(last, weight, end);
+  }
+
+  private void join(Body a, Body b, Vec2 anchor) {
+    RevoluteJointDef def = new RevoluteJointDef();
+    def.initialize(a, b, anchor);
+    world.createJoint(def);
+  }
+
+  private float largestGap() {
+    float gap = 0f;
+    Vec2 a = new Vec2();
+    Vec2 b = new Vec2();
+    for (Joint joint = world.getJointList(); joint != null; joint = joint.getNext()) {
+      joint.getAnchorA(a);
+      joint.getAnchorB(b);
+      gap = Math.max(gap, a.sub(b).length());
+    }
+    return gap;
+  }
+}
