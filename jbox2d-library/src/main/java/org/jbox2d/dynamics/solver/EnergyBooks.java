@@ -55,6 +55,11 @@ final class EnergyBooks {
     return now > 0.5 * mass * speed * speed && now > bound && now > bound + work(slots, b0, b1);
   }
 
+  /** Returns how much energy the bodies have more than they had and were given, J. */
+  double excess(int[] slots, int b0, int b1) {
+    return kinetic(slots, b0, b1) - bound - work(slots, b0, b1);
+  }
+
   private double work(int[] slots, int b0, int b1) {
     float[] a = bodies.accel;
     float[] x = bodies.delta;
