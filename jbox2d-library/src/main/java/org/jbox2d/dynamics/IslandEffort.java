@@ -13,7 +13,10 @@ import org.jbox2d.dynamics.solver.StepConfig;
  * substeps for long. What touches something loses more than that anyway.
  */
 final class IslandEffort {
-  /** For how many steps an island of joints alone keeps its substeps when it needs fewer. */
+  /**
+   * For how many steps an island of joints alone keeps its substeps when it needs fewer; then they
+   * fall each {@link #PILE_HELD} steps.
+   */
   private static final int SWING_HELD = 240;
 
   /**
@@ -25,7 +28,7 @@ final class IslandEffort {
   /** Share to which substeps then fall, if not by one. */
   private static final float FALL = 0.7f;
 
-  /** By how much contacts can raise the substeps from step to step, see {@link #needed}. */
+  /** By what factor contacts can raise the substeps from step to step, see {@link #needed}. */
   private static final int CONTACT_RISE = 2;
 
   /**

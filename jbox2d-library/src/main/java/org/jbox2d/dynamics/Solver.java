@@ -12,7 +12,7 @@ package org.jbox2d.dynamics;
  * </ul>
  */
 public final class Solver {
-  /** Substeps of {@link #softStep()}, and least of {@link #adaptive()}. */
+  /** Substeps of {@link #softStep()}. */
   public static final int DEFAULT_SUBSTEPS = 4;
 
   /** Least and most substeps of {@link #adaptive()}. */

@@ -38,6 +38,10 @@ final class BlockTridiagonal {
 
   /** Factors the first block row of a system: {@code A(i, i) = (k11, k12; k12, k22)}. */
   void factorFirst(int i, double k11, double k12, double k22) {
+    writeInverse(i, k11, k12, k22);
+  }
+
+  private void writeInverse(int i, double k11, double k12, double k22) {
     double inv = 1 / (k11 * k22 - k12 * k12);
     int at = STRIDE * i;
     a[at + D11] = inv * k22;
@@ -57,7 +61,7 @@ final class BlockTridiagonal {
     double d11 = k11 - (l11 * c11 + l12 * c12);
     double d12 = k12 - (l11 * c21 + l12 * c22);
     double d22 = k22 - (l21 * c21 + l22 * c22);
-    factorFirst(i, d11, d12, d22);
+    writeInverse(i, d11, d12, d22);
   }
 
   /** Writes the right side of a block row. */

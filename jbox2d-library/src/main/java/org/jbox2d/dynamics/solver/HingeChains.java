@@ -5,12 +5,13 @@ import java.util.Arrays;
 /**
  * Solves rows of hinges at once where light bodies carry heavy ones. One pass over a chain leaves
  * an error that grows with the ratio of the masses, see {@link Effort}: with four substeps a weight
- * of a hundred links stretched ten of them by a sixtieth, one of a thousand by a sixth.
+ * of a hundred links stretched ten of them by a sixtieth, one of a thousand by a fifth, and a flail
+ * lost half of its energy in ten seconds.
  *
  * <p>A chain is a row of hinges without limits and motors, each next two of which share a body that
- * has no other hinges; at one end at least it hangs free. Its hinges are independent of each other,
- * so that the matrix {@code A = J M^-1 J^T} of all its points is symmetric, positive definite, and
- * tridiagonal in blocks, see {@link BlockTridiagonal}:
+ * has no other hinges; at one end at least it ends in a body without other joints. Its hinges are
+ * independent of each other, so that the matrix {@code A = J M^-1 J^T} of all its points is
+ * symmetric, positive definite, and tridiagonal in blocks, see {@link BlockTridiagonal}:
  *
  * <pre>
  *   A(i, i)     = K of Arms
@@ -26,17 +27,20 @@ import java.util.Arrays;
  */
 final class HingeChains {
   /** Ratio of the masses in an island from which on chains are looked for. */
-  private static final float UNEVEN = 10f;
+  private static final float UNEVEN = 3f;
 
   /** How often a chain is solved: the bend of its path follows from the velocity. */
   private static final int PASSES = 2;
 
   /**
-   * Turn in a substep up to which the bend of a link's path is followed, rad. Light links that
-   * crack like a whip turn further, and their bends change faster than passes can follow: followed,
-   * it brought energy in. Above it they are led along the tangent, which takes some.
+   * Turn of a body in a substep up to which the bend of a link's path is followed, rad, and turn of
+   * two links against each other. Light links that crack like a whip turn further, and their bends
+   * change faster than passes can follow: followed, it brought energy in. Above it they are led
+   * along the tangent, which takes some.
    */
-  private static final float MOST_TURN = 0.03f;
+  private static final float MOST_TURN = 0.1f;
+
+  private static final float MOST_TWIST = 0.03f;
 
   private final SolverBodies bodies;
   private final JointRows rows;
@@ -53,7 +57,9 @@ final class HingeChains {
   private int[] shared = new int[16];
   private int links;
 
-  /** Hinges of each slot, and the first two of them. */
+  /** Joints of each slot, plain hinges of each slot, and the first two of those. */
+  private int[] joints = new int[0];
+
   private int[] degree = new int[0];
 
   private int[] hinges = new int[0];
@@ -80,7 +86,7 @@ final class HingeChains {
     countHinges(j0, j1, slots, b0, b1);
     for (int k = b0; k < b1; k++) {
       int slot = slots[k];
-      if (degree[slot] == 1 && marks[hinges[2 * slot]] != mark) {
+      if (joints[slot] == 1 && degree[slot] == 1 && marks[hinges[2 * slot]] != mark) {
         addChain(slot);
       }
     }
@@ -99,7 +105,8 @@ final class HingeChains {
 
   private void countHinges(int j0, int j1, int[] slots, int b0, int b1) {
     if (degree.length < bodies.count) {
-      degree = new int[bodies.angle.length];
+      joints = new int[bodies.angle.length];
+      degree = new int[joints.length];
       hinges = new int[2 * degree.length];
     }
     if (marks.length < rows.count) {
@@ -107,9 +114,13 @@ final class HingeChains {
     }
     mark++;
     for (int k = b0; k < b1; k++) {
+      joints[slots[k]] = 0;
       degree[slots[k]] = 0;
     }
     for (int r = j0; r < j1; r++) {
+      for (int i = rows.bodyAt[r]; i < rows.bodyAt[r] + rows.bodyCount[r]; i++) {
+        joints[rows.bodies[i]]++;
+      }
       if (rows.kernel[r] == JointKernels.REVOLUTE
           && RevoluteKernel.isPlain(rows.f, rows.floatAt[r])) {
         count(bodyA(r), r);
@@ -268,12 +279,21 @@ final class HingeChains {
     float x = Arms.speedX(f, o, v, a, b);
     float y = Arms.speedY(f, o, v, a, b);
     float most = RevoluteKernel.mostBend(f, o);
-    float turn = step.dt * Math.max(Math.abs(v[a + 2]), Math.abs(v[b + 2]));
-    if (most > 0f && turn <= MOST_TURN) {
+    if (most > 0f && isFollowed(a, b, step.dt)) {
       x += Arms.bounded(Arms.bendX(f, o, v, a, b, step.dt, step.invDt), most);
       y += Arms.bounded(Arms.bendY(f, o, v, a, b, step.dt, step.invDt), most);
     }
     system.write(i, -x, -y);
+  }
+
+  private boolean isFollowed(int a, int b, float h) {
+    float turnA = bodies.vel[a + 2] * h;
+    float turnB = bodies.vel[b + 2] * h;
+    float bend =
+        isHeld(a / SolverBodies.STRIDE) || isHeld(b / SolverBodies.STRIDE)
+            ? 0f
+            : Math.abs(turnB - turnA);
+    return bend <= MOST_TWIST && Math.max(Math.abs(turnA), Math.abs(turnB)) <= MOST_TURN;
   }
 
   // --- Correct ---

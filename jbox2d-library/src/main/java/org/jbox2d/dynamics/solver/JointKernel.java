@@ -2,8 +2,8 @@ package org.jbox2d.dynamics.solver;
 
 /**
  * Solves the rows of one kind of joint. A kernel has no state: all it needs is in the rows and the
- * bodies, so one instance serves all worlds. Each stage is called once for a run of rows {@code
- * [from, to)} of its own kind.
+ * bodies, so one instance serves all worlds. Each stage is called for a run of rows {@code [from,
+ * to)} of its own kind, most of them once.
  */
 public abstract class JointKernel {
   private final int order;

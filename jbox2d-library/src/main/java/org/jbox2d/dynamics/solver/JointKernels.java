@@ -3,7 +3,7 @@ package org.jbox2d.dynamics.solver;
 /**
  * The kernels of all kinds of joint, in the order in which an island's joints are solved. What is
  * solved last has the smallest error left when the iterations end, so what may give way comes
- * first, and what must hold last.
+ * first, and what must hold last; with substeps, {@link HingeChains} after all.
  */
 public final class JointKernels {
   public static final JointKernel MOUSE = new MouseKernel(0);

@@ -94,7 +94,7 @@ final class SoftJoints {
     return fastest;
   }
 
-  /** One pass over all joints, and further ones over those that turn fast. */
+  /** One pass over all joints, further ones over those that turn fast, and the chains at once. */
   void solve(int j0, int j1, StepConfig sub) {
     for (int r = j0; r < j1; ) {
       int end = rows.endOfRun(r, j1);
@@ -111,9 +111,9 @@ final class SoftJoints {
   }
 
   /**
-   * Corrects positions in the last substep, and before it those of kernels that need it. Following
-   * their curves, joints hardly leave them in a substep; to correct all of them each time costs a
-   * sixth of a net's step, and errors stay the same to a few percent.
+   * Corrects positions in the last substep, and before it those of chains and of kernels that need
+   * it. Following their curves, joints hardly leave them in a substep; to correct all of them each
+   * time costs a sixth of a net's step, and errors stay the same to a few percent.
    *
    * @return whether all that were looked at are within tolerance
    */

@@ -11,8 +11,9 @@ import static org.jbox2d.dynamics.solver.ContactConstraints.*;
  *
  * <p>Stages of an island: impacts ({@link BounceKernel}); then in each substep forces, kept
  * impulses, joints, contacts pushed ({@link SoftContactKernel}), bodies moved, joints and contacts
- * relaxed, positions of the joints corrected (mostly in the last alone). Impulses are kept from one
- * substep to the next.
+ * relaxed, energy that kept impulses brought in taken back ({@link SoftGain}), positions of the
+ * joints corrected (mostly in the last alone). Impulses are kept from one substep to the next. Each
+ * pass over joints ends with the chains that are solved at once ({@link HingeChains}).
  *
  * <p>Joints follow their curved paths within a substep (see {@link Arms}) rather than leave them
  * along the tangent and be drawn back by a spring: that loses no energy, needs no stiffness to be
