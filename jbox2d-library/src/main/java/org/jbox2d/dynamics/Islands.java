@@ -337,7 +337,7 @@ final class Islands {
    * the processor works on one of each at once. In a pyramid of 5,000 boxes sequential impulses
    * take a tenth less time for that, in a net of 10,000 hinges steps a twentieth.
    */
-  private static int dealt(int i, int n, int parts) {
+  static int dealt(int i, int n, int parts) {
     int less = n / parts;
     int longer = n % parts;
     int inLonger = longer * (less + 1);

@@ -8,6 +8,7 @@ import java.lang.management.ManagementFactory;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.joints.MouseJoint;
 import org.jbox2d.dynamics.joints.MouseJointDef;
+import org.jbox2d.dynamics.joints.RevoluteJointDef;
 import org.junit.jupiter.api.Test;
 
 /** A warm step of a scene without births and deaths allocates nothing. */
@@ -31,6 +32,31 @@ class StepAllocationTest {
       world.setSleepingAllowed(false);
       assertNoneAllocated(world, 200, 10);
     }
+  }
+
+  /** A chain with a weight, which is solved at once, and dolls of hinges that lie on the ground. */
+  @Test
+  void hingesWithSubsteps() {
+    for (Solver solver : new Solver[] {Solver.softStep(), Solver.adaptive()}) {
+      World world = Make.world();
+      world.setSolver(solver);
+      world.setSleepingAllowed(false);
+      Body last = Make.ground(world);
+      for (int i = 0; i < 8; i++) {
+        Body link = Make.box(world, BodyType.DYNAMIC, 0.5f + i, 12f, i < 7 ? 0.5f : 2f, 0.1f);
+        hinge(world, last, link, i);
+        last = link;
+      }
+      Body lying = Make.box(world, BodyType.DYNAMIC, -10f, 0.1f, 0.5f, 0.1f);
+      hinge(world, lying, Make.box(world, BodyType.DYNAMIC, -9f, 0.1f, 0.5f, 0.1f), -9.5f);
+      assertNoneAllocated(world, 200, 10);
+    }
+  }
+
+  private static void hinge(World world, Body a, Body b, float x) {
+    RevoluteJointDef def = new RevoluteJointDef();
+    def.initialize(a, b, new Vec2(x, b.getPosition().y));
+    world.createJoint(def);
   }
 
   @Test

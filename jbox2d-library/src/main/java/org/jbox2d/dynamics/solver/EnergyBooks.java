@@ -51,13 +51,14 @@ final class EnergyBooks {
    * @param speed as of the mean energy, from which on it is much, m/s
    */
   boolean isExceeded(int[] slots, int b0, int b1, double speed) {
-    double now = kinetic(slots, b0, b1);
-    return now > 0.5 * mass * speed * speed && now > bound && now > bound + work(slots, b0, b1);
+    return excess(slots, b0, b1, speed) > 0;
   }
 
-  /** Returns how much energy the bodies have more than they had and were given, J. */
-  double excess(int[] slots, int b0, int b1) {
-    return kinetic(slots, b0, b1) - bound - work(slots, b0, b1);
+  /** Returns how much more energy that is, J; 0 where {@link #isExceeded} is false. */
+  double excess(int[] slots, int b0, int b1, double speed) {
+    double more = kinetic(slots, b0, b1) - bound;
+    boolean much = more + bound > 0.5 * mass * speed * speed;
+    return much && more > 0 ? Math.max(0, more - work(slots, b0, b1)) : 0;
   }
 
   private double work(int[] slots, int b0, int b1) {

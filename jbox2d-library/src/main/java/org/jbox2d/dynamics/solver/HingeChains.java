@@ -6,7 +6,7 @@ import java.util.Arrays;
  * Solves rows of hinges at once where light bodies carry heavy ones. One pass over a chain leaves
  * an error that grows with the ratio of the masses, see {@link Effort}: with four substeps a weight
  * of a hundred links stretched ten of them by a sixtieth, one of a thousand by a fifth, and a flail
- * lost half of its energy in ten seconds.
+ * lost nearly half of its energy in ten seconds.
  *
  * <p>A chain is a row of hinges without limits and motors, each next two of which share a body that
  * has no other hinges; at one end at least it ends in a body without other joints. Its hinges are

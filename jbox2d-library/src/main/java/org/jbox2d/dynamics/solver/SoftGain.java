@@ -75,17 +75,18 @@ final class SoftGain {
    * @param summed as in {@link SoftContactKernel#relax}
    */
   void take(int[] slots, int b0, int b1, int c0, int c1, float[] free, boolean summed) {
-    if (kernel.changed <= UNREST * much
-        || !energy.isExceeded(slots, b0, b1, much)
-        || energy.isDriven(c0, c1)) {
+    if (kernel.changed <= UNREST * much) {
+      return;
+    }
+    double excess = energy.excess(slots, b0, b1, much);
+    if (excess == 0 || energy.isDriven(c0, c1)) {
       return;
     }
     double before = Double.MAX_VALUE;
-    double excess = energy.excess(slots, b0, b1);
     for (int n = 0; n < PASSES && excess > 0 && excess < USEFUL * before; n++) {
       kernel.relax(contacts, bodies, c0, c1, summed, true);
       before = excess;
-      excess = energy.isExceeded(slots, b0, b1, much) ? energy.excess(slots, b0, b1) : 0;
+      excess = energy.excess(slots, b0, b1, much);
     }
     if (energy.isExceeded(slots, b0, b1, EnergyBooks.WILD)) {
       solveAnew(slots, b0, b1, c0, c1, free, summed);
