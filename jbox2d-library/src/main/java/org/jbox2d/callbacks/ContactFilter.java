@@ -13,8 +13,8 @@ public class ContactFilter {
    * categories and masks.
    */
   public boolean shouldCollide(Fixture fixtureA, Fixture fixtureB) {
-    Filter a = fixtureA.getFilterData();
-    Filter b = fixtureB.getFilterData();
+    Filter a = fixtureA.m_filter;
+    Filter b = fixtureB.m_filter;
     if (a.groupIndex != 0 && a.groupIndex == b.groupIndex) {
       return a.groupIndex > 0;
     }

@@ -11,8 +11,8 @@ import org.jbox2d.common.Settings;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.dynamics.contacts.ContactEdge;
 import org.jbox2d.dynamics.contacts.ShapeContact;
-import org.jbox2d.internal.KnownPairs;
 import org.jbox2d.internal.LongHashSet;
+import org.jbox2d.internal.PairSelection;
 
 /**
  * Makes, updates and destroys contacts.
@@ -20,7 +20,7 @@ import org.jbox2d.internal.LongHashSet;
  * <p>Besides JBox2D's linked list of all contacts it keeps a dense array of those with an awake
  * body, which are all that a step looks at, and a hash set of the pairs that have a contact.
  */
-public class ContactManager implements PairCallback, KnownPairs {
+public class ContactManager implements PairCallback, PairSelection {
   /** Finds pairs of overlapping bounds. */
   public BroadPhase m_broadPhase;
 
@@ -88,6 +88,12 @@ public class ContactManager implements PairCallback, KnownPairs {
   @Override
   public boolean knows(int low, int high) {
     return pairs.contains(key(low, high));
+  }
+
+  /** Whether the default filter decides. Called by the broad phase. */
+  @Override
+  public boolean goesByCategories() {
+    return m_contactFilter != null && m_contactFilter.getClass() == ContactFilter.class;
   }
 
   /**
@@ -281,7 +287,7 @@ public class ContactManager implements PairCallback, KnownPairs {
   private boolean passesFilters(Fixture fixtureA, Fixture fixtureB) {
     ContactFilter filter = m_contactFilter;
     // Nobody hears of the default filter, and it costs less than to look through the joints.
-    if (filter != null && filter.getClass() == ContactFilter.class) {
+    if (goesByCategories()) {
       return filter.shouldCollide(fixtureA, fixtureB)
           && fixtureB.m_body.shouldCollide(fixtureA.m_body);
     }

@@ -45,7 +45,10 @@ public class Fixture {
   /** Number of proxies in the broad phase. */
   public int m_proxyCount;
 
-  /** Which fixtures this one collides with. Call {@link #refilter()} after a change. */
+  /**
+   * Which fixtures this one collides with. Call {@link #refilter()} after a change: the search for
+   * pairs goes by a copy of it.
+   */
   public final Filter m_filter = new Filter();
 
   /** Whether the fixture only reports contacts. */
@@ -65,6 +68,9 @@ public class Fixture {
 
   /** Place among the fixtures that leave a body together, or -1. */
   int leavingIndex = -1;
+
+  /** Whether somebody else may hold, and change, the filter. */
+  private boolean filterShared;
 
   private final Vec2 displacement = new Vec2();
   private CompoundShape compound;
@@ -145,9 +151,30 @@ public class Fixture {
     refilter();
   }
 
-  /** Returns the filter. */
+  /**
+   * Returns the filter itself. It may be changed; existing contacts are filtered anew by {@link
+   * #refilter()}. From the first call on, the search for pairs no longer leaves this fixture's out
+   * by their categories, since those may change at any time, and has the filter drop them one by
+   * one; reading {@link #m_filter} has no such cost.
+   */
   public Filter getFilterData() {
+    if (!filterShared) {
+      filterShared = true;
+      if (m_body != null && m_body.m_world != null) {
+        passFilter(m_body.m_world.m_contactManager.m_broadPhase);
+      }
+    }
     return m_filter;
+  }
+
+  /** Tells the broad phase by which categories it may leave out pairs. */
+  private void passFilter(BroadPhase broadPhase) {
+    // Fixtures of a positive group collide whatever their categories are.
+    boolean any = filterShared || m_filter.groupIndex > 0;
+    for (int i = 0; i < m_proxyCount; i++) {
+      broadPhase.setFilter(
+          m_proxies[i].proxyId, any ? -1 : m_filter.categoryBits, any ? -1 : m_filter.maskBits);
+    }
   }
 
   /** Filters existing contacts anew before the next step, and looks for new ones. */
@@ -163,6 +190,7 @@ public class Fixture {
       }
     }
     BroadPhase broadPhase = m_body.getWorld().m_contactManager.m_broadPhase;
+    passFilter(broadPhase);
     for (int i = 0; i < m_proxyCount; i++) {
       broadPhase.touchProxy(m_proxies[i].proxyId);
     }
@@ -304,6 +332,7 @@ public class Fixture {
         broadPhase.setObstacle(proxy.proxyId, true);
       }
     }
+    passFilter(broadPhase);
   }
 
   /** Tells the broad phase whether the body stops others within a step. */

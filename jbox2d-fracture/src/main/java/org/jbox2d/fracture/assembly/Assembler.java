@@ -167,7 +167,7 @@ public final class Assembler {
     def.friction = f.getFriction();
     def.restitution = f.getRestitution();
     def.isSensor = f.isSensor();
-    def.filter.set(f.getFilterData());
+    def.filter.set(f.m_filter);
     def.userData = f.getUserData();
     def.material = f.getMaterial();
     return def;

@@ -79,6 +79,13 @@ public interface BroadPhase {
     query(callback, aabb);
   }
 
+  /**
+   * Sets which collision categories a proxy is of, and which it collides with, as bits; at first
+   * all. {@link #updatePairs} leaves out pairs of which one does not collide with any category of
+   * the other, if the callback says that it does not want them, but need not find all of them.
+   */
+  default void setFilter(int proxyId, int categories, int mask) {}
+
   /** Number of proxies. */
   int getProxyCount();
 

@@ -9,7 +9,7 @@ import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.internal.IntArrayList;
-import org.jbox2d.internal.KnownPairs;
+import org.jbox2d.internal.PairSelection;
 
 /**
  * A broad phase over any {@link BroadPhaseStrategy}: it remembers which proxies have moved and
@@ -32,6 +32,9 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
 
   /** One plus the index in the move buffer for each proxy; 0 for a proxy not in it. */
   private int[] bufferSlot = new int[16];
+
+  /** The categories that each proxy collides with. */
+  private int[] mask = new int[16];
 
   /** Tight boxes: minX, minY, maxX, maxY of proxy i from index 4 i on. */
   private float[] tight = new float[64];
@@ -63,9 +66,12 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
   public final int createProxy(AABB aabb, Object userData) {
     int proxyId = strategy.createProxy(aabb, userData);
     proxyCount++;
-    if (4 * proxyId >= tight.length) {
-      tight = Arrays.copyOf(tight, Math.max(4 * proxyId + 4, 2 * tight.length));
+    if (proxyId >= mask.length) {
+      int capacity = Math.max(proxyId + 1, 2 * mask.length);
+      tight = Arrays.copyOf(tight, 4 * capacity);
+      mask = Arrays.copyOf(mask, capacity);
     }
+    mask[proxyId] = -1;
     setTight(proxyId, aabb);
     bufferMove(proxyId);
     return proxyId;
@@ -129,14 +135,24 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
     if (tree != null) {
       // Asked for nothing but its refusal of an unknown id.
       strategy.getUserData(proxyId);
-      tree.markLeaf(proxyId, isObstacle);
+      tree.markObstacle(proxyId, isObstacle);
+    }
+  }
+
+  @Override
+  public void setFilter(int proxyId, int categories, int mask) {
+    // Asked for nothing but its refusal of an unknown id.
+    strategy.getUserData(proxyId);
+    if (tree != null) {
+      tree.markCategories(proxyId, categories);
+      this.mask[proxyId] = mask;
     }
   }
 
   @Override
   public void queryObstacles(TreeCallback callback, AABB aabb) {
     if (tree != null) {
-      tree.search(callback, aabb, true);
+      tree.search(callback, aabb, FlatNodes.OBSTACLE);
     } else {
       strategy.query(callback, aabb);
     }
@@ -166,11 +182,13 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
    */
   @Override
   public final void updatePairs(PairCallback callback) {
+    PairSelection selection = callback instanceof PairSelection ? (PairSelection) callback : null;
+    boolean filtered = selection != null && selection.goesByCategories();
     for (int i = 0; i < moveBuffer.size(); i++) {
       int proxyId = moveBuffer.get(i);
       if (proxyId != NULL_PROXY) {
-        findOverlaps(proxyId);
-        reportPairs(proxyId, callback);
+        findOverlaps(proxyId, filtered);
+        reportPairs(proxyId, callback, selection);
       }
     }
     for (int i = 0; i < moveBuffer.size(); i++) {
@@ -182,17 +200,17 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
     moveBuffer.clear();
   }
 
-  private void findOverlaps(int proxyId) {
+  private void findOverlaps(int proxyId, boolean filtered) {
     found.clear();
     if (tree != null) {
-      tree.collectOverlaps(proxyId, found);
+      long wanted = filtered ? mask[proxyId] & FlatNodes.CATEGORIES : FlatNodes.ANY;
+      tree.collectOverlaps(proxyId, wanted, found);
     } else {
       strategy.query(this, strategy.getFatAABB(proxyId));
     }
   }
 
-  private void reportPairs(int proxyId, PairCallback callback) {
-    KnownPairs known = callback instanceof KnownPairs ? (KnownPairs) callback : null;
+  private void reportPairs(int proxyId, PairCallback callback, PairSelection selection) {
     for (int i = 0; i < found.size(); i++) {
       int other = found.get(i);
       if (other == proxyId || (other < proxyId && isBuffered(other))) {
@@ -200,7 +218,7 @@ public class DefaultBroadPhaseBuffer implements TreeCallback, BroadPhase {
       }
       int low = Math.min(proxyId, other);
       int high = Math.max(proxyId, other);
-      if (known == null || !known.knows(low, high)) {
+      if (selection == null || !selection.knows(low, high)) {
         callback.addPair(strategy.getUserData(low), strategy.getUserData(high));
       }
     }

@@ -218,7 +218,7 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
    */
   @Override
   public final void query(TreeCallback callback, AABB aabb) {
-    search(callback, aabb, false);
+    search(callback, aabb, ANY);
   }
 
   /**

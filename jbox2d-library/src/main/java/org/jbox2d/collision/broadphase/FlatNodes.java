@@ -42,11 +42,21 @@ abstract class FlatNodes {
   /** Height of each node above its deepest leaf: 0 for a leaf. */
   protected int[] m_height = new int[INITIAL_CAPACITY];
 
+  /** Trait of all nodes: a search that wants it leaves none out. */
+  static final long ANY = 1L << 32;
+
+  /** Trait of an obstacle. */
+  static final long OBSTACLE = 1L << 33;
+
+  /** Traits of a collision category each. */
+  static final long CATEGORIES = ANY - 1;
+
   /**
-   * Whether a leaf is an obstacle, and an inner node has one below it: searches for obstacles alone
-   * then leave out whole subtrees of what only moves.
+   * What a leaf is, as bits, and what an inner node has below it. A search for what has one of
+   * certain traits leaves out whole subtrees of what has none of them: of what only moves, say, or
+   * of categories that do not matter.
    */
-  boolean[] obstacle = new boolean[INITIAL_CAPACITY];
+  long[] traits = new long[INITIAL_CAPACITY];
 
   /** Boxes: minX, minY, maxX, maxY of node i from index 4 i on. */
   float[] bounds = new float[4 * INITIAL_CAPACITY];
@@ -85,7 +95,7 @@ abstract class FlatNodes {
     m_child1[node] = NULL;
     m_child2[node] = NULL;
     m_height[node] = 0;
-    obstacle[node] = false;
+    traits[node] = ANY | CATEGORIES;
     nodeCount++;
     return node;
   }
@@ -111,7 +121,7 @@ abstract class FlatNodes {
     m_child1 = Arrays.copyOf(m_child1, capacity);
     m_child2 = Arrays.copyOf(m_child2, capacity);
     m_height = Arrays.copyOf(m_height, capacity);
-    obstacle = Arrays.copyOf(obstacle, capacity);
+    traits = Arrays.copyOf(traits, capacity);
     bounds = Arrays.copyOf(bounds, 4 * capacity);
     linkFree(old);
   }
@@ -182,8 +192,8 @@ abstract class FlatNodes {
   }
 
   /**
-   * Recomputes box, height and {@link #obstacle} of an inner node from its children; returns
-   * whether any of them changed.
+   * Recomputes box, height and {@link #traits} of an inner node from its children; returns whether
+   * any of them changed.
    */
   final boolean refit(int node) {
     float[] box = bounds;
@@ -195,14 +205,14 @@ abstract class FlatNodes {
     float maxX = Math.max(box[j + 2], box[k + 2]);
     float maxY = Math.max(box[j + 3], box[k + 3]);
     int height = 1 + Math.max(m_height[m_child1[node]], m_height[m_child2[node]]);
-    boolean obstacles = obstacle[m_child1[node]] | obstacle[m_child2[node]];
+    long below = traits[m_child1[node]] | traits[m_child2[node]];
     boolean same =
         minX == box[i]
             && minY == box[i + 1]
             && maxX == box[i + 2]
             && maxY == box[i + 3]
             && height == m_height[node]
-            && obstacles == obstacle[node];
+            && below == traits[node];
     if (same) {
       return false;
     }
@@ -211,7 +221,7 @@ abstract class FlatNodes {
     box[i + 2] = maxX;
     box[i + 3] = maxY;
     m_height[node] = height;
-    obstacle[node] = obstacles;
+    traits[node] = below;
     return true;
   }
 

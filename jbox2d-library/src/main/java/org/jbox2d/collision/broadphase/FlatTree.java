@@ -88,9 +88,18 @@ abstract class FlatTree extends FlatNodes {
   }
 
   /** Sets whether a leaf is an obstacle. */
-  final void markLeaf(int leaf, boolean isObstacle) {
-    obstacle[leaf] = isObstacle;
-    boolean changed = true;
+  final void markObstacle(int leaf, boolean isObstacle) {
+    mark(leaf, isObstacle ? traits[leaf] | OBSTACLE : traits[leaf] & ~OBSTACLE);
+  }
+
+  /** Sets the categories of a leaf. */
+  final void markCategories(int leaf, int categories) {
+    mark(leaf, traits[leaf] & ~CATEGORIES | categories & CATEGORIES);
+  }
+
+  private void mark(int leaf, long marks) {
+    boolean changed = traits[leaf] != marks;
+    traits[leaf] = marks;
     for (int node = m_parent[leaf]; node != NULL && changed; node = m_parent[node]) {
       changed = refit(node);
     }

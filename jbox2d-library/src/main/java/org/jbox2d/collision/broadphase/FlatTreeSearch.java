@@ -30,11 +30,11 @@ abstract class FlatTreeSearch extends FlatTree {
   private int rayDepth;
 
   /**
-   * Reports each leaf whose box meets the given one, or of those the obstacles alone.
+   * Reports each leaf whose box meets the given one and that has one of the traits that are wanted.
    *
    * @throws IllegalArgumentException if the box is NaN
    */
-  final void search(TreeCallback callback, AABB aabb, boolean obstacles) {
+  final void search(TreeCallback callback, AABB aabb, long wanted) {
     float minX = aabb.lowerBound.x;
     float minY = aabb.lowerBound.y;
     float maxX = aabb.upperBound.x;
@@ -45,17 +45,20 @@ abstract class FlatTreeSearch extends FlatTree {
     int base = stackTop;
     try {
       pushRoot();
-      int leaf = nextOverlap(base, obstacles, minX, minY, maxX, maxY);
+      int leaf = nextOverlap(base, wanted, minX, minY, maxX, maxY);
       while (leaf != NULL && callback.treeCallback(leaf)) {
-        leaf = nextOverlap(base, obstacles, minX, minY, maxX, maxY);
+        leaf = nextOverlap(base, wanted, minX, minY, maxX, maxY);
       }
     } finally {
       stackTop = base;
     }
   }
 
-  /** Appends each leaf whose box meets that of a given leaf, that leaf itself included. */
-  final void collectOverlaps(int proxyId, IntArrayList out) {
+  /**
+   * Appends each leaf whose box meets that of a given leaf and that has one of the traits that are
+   * wanted, that leaf itself included.
+   */
+  final void collectOverlaps(int proxyId, long wanted, IntArrayList out) {
     int i = 4 * proxyId;
     float minX = bounds[i];
     float minY = bounds[i + 1];
@@ -63,10 +66,10 @@ abstract class FlatTreeSearch extends FlatTree {
     float maxY = bounds[i + 3];
     int base = stackTop;
     pushRoot();
-    int leaf = nextOverlap(base, false, minX, minY, maxX, maxY);
+    int leaf = nextOverlap(base, wanted, minX, minY, maxX, maxY);
     while (leaf != NULL) {
       out.add(leaf);
-      leaf = nextOverlap(base, false, minX, minY, maxX, maxY);
+      leaf = nextOverlap(base, wanted, minX, minY, maxX, maxY);
     }
   }
 
@@ -84,11 +87,10 @@ abstract class FlatTreeSearch extends FlatTree {
   }
 
   /**
-   * Works the stack down to {@code base} until it meets a leaf, or an obstacle, whose box meets the
+   * Works the stack down to {@code base} until it meets a leaf that is wanted, whose box meets the
    * given one; -1 if there is none left.
    */
-  private int nextOverlap(
-      int base, boolean obstacles, float minX, float minY, float maxX, float maxY) {
+  private int nextOverlap(int base, long wanted, float minX, float minY, float maxX, float maxY) {
     float[] box = bounds;
     int[] todo = stack;
     int top = stackTop;
@@ -98,7 +100,7 @@ abstract class FlatTreeSearch extends FlatTree {
       if (box[i] > maxX || box[i + 1] > maxY || box[i + 2] < minX || box[i + 3] < minY) {
         continue;
       }
-      if (obstacles && !obstacle[node]) {
+      if ((traits[node] & wanted) == 0) {
         continue;
       }
       int child1 = m_child1[node];

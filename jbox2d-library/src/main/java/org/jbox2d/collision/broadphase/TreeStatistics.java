@@ -98,8 +98,8 @@ final class TreeStatistics {
     check(tree.m_height[node] == height, node, "has a wrong height");
     int difference = Math.abs(tree.m_height[child1] - tree.m_height[child2]);
     check(difference <= FlatTree.SLACK, node, "has children of too different heights");
-    boolean obstacles = tree.obstacle[child1] || tree.obstacle[child2];
-    check(tree.obstacle[node] == obstacles, node, "is marked wrongly as having obstacles");
+    long traits = tree.traits[child1] | tree.traits[child2];
+    check(tree.traits[node] == traits, node, "does not have the traits of its children");
     float[] box = tree.bounds;
     for (int k = 0; k < 4; k++) {
       float a = box[4 * child1 + k];

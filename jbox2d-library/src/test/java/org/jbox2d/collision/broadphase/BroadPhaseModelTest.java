@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
@@ -18,10 +19,12 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.Tuple;
+import org.jbox2d.callbacks.PairCallback;
 import org.jbox2d.callbacks.TreeCallback;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.common.Vec2;
+import org.jbox2d.internal.PairSelection;
 
 /** Random sequences of calls to a broad phase, beside a list of boxes searched by brute force. */
 class BroadPhaseModelTest {
@@ -32,6 +35,7 @@ class BroadPhaseModelTest {
     DESTROY,
     TOUCH,
     MARK,
+    FILTER,
     QUERY,
     RAY,
     PAIRS
@@ -45,6 +49,32 @@ class BroadPhaseModelTest {
 
   private record Proxy(AABB tight, Object userData) {}
 
+  private record Bits(int categories, int mask) {
+    static final Bits ALL = new Bits(-1, -1);
+
+    boolean accepts(Bits other) {
+      return (mask & other.categories) != 0;
+    }
+  }
+
+  /** Receives pairs, and has no use for those whose categories do not collide. */
+  private record Chooser(List<String> reported) implements PairCallback, PairSelection {
+    @Override
+    public void addPair(Object a, Object b) {
+      reported.add(a + ", " + b);
+    }
+
+    @Override
+    public boolean knows(int low, int high) {
+      return false;
+    }
+
+    @Override
+    public boolean goesByCategories() {
+      return true;
+    }
+  }
+
   @Provide
   Arbitrary<List<Call>> calls() {
     Arbitrary<Kind> kinds =
@@ -55,6 +85,7 @@ class BroadPhaseModelTest {
             Tuple.of(2, Kind.DESTROY),
             Tuple.of(1, Kind.TOUCH),
             Tuple.of(2, Kind.MARK),
+            Tuple.of(2, Kind.FILTER),
             Tuple.of(2, Kind.QUERY),
             Tuple.of(2, Kind.RAY),
             Tuple.of(2, Kind.PAIRS));
@@ -109,6 +140,7 @@ class BroadPhaseModelTest {
     private final TreeMap<Integer, Proxy> proxies = new TreeMap<>();
     private final Set<Integer> moved = new TreeSet<>();
     private final Set<Integer> obstacles = new TreeSet<>();
+    private final TreeMap<Integer, Bits> filters = new TreeMap<>();
     private int created;
 
     Model(BroadPhaseStrategy strategy) {
@@ -128,12 +160,13 @@ class BroadPhaseModelTest {
         case DESTROY -> destroy(pick(call));
         case TOUCH -> touch(pick(call));
         case MARK -> mark(pick(call), call.x > 0);
+        case FILTER -> filter(pick(call), (int) (4 * call.width), (int) (4 * call.height));
         case QUERY -> {
           checkQuery(box);
           checkObstacles(box);
         }
         case RAY -> checkRay(box, 0.25f + call.width / 4);
-        case PAIRS -> checkPairs();
+        case PAIRS -> checkPairs(call.x > 0);
         default -> throw new AssertionError(call.kind);
       }
     }
@@ -178,6 +211,16 @@ class BroadPhaseModelTest {
       proxies.remove(id);
       moved.remove(id);
       obstacles.remove(id);
+      filters.remove(id);
+    }
+
+    private void filter(int id, int categories, int mask) {
+      broadPhase.setFilter(id, categories, mask);
+      filters.put(id, new Bits(categories, mask));
+    }
+
+    private Bits bits(int id) {
+      return filters.getOrDefault(id, Bits.ALL);
     }
 
     private void mark(int id, boolean isObstacle) {
@@ -274,24 +317,43 @@ class BroadPhaseModelTest {
       return enter <= leave;
     }
 
-    private void checkPairs() {
+    /** Checks that all pairs are found, or all that are of use if asked for those alone. */
+    private void checkPairs(boolean chosen) {
       SortedSet<String> expected = new TreeSet<>();
+      SortedSet<String> useful = new TreeSet<>();
+      SortedSet<String> useless = new TreeSet<>();
       for (int a : proxies.keySet()) {
         for (int b : proxies.tailMap(a, false).keySet()) {
           AABB fatA = new AABB(broadPhase.getFatAABB(a));
           boolean overlap = AABB.testOverlap(fatA, broadPhase.getFatAABB(b));
           assertEquals(overlap, broadPhase.testOverlap(a, b));
           if (overlap && (moved.contains(a) || moved.contains(b))) {
-            expected.add(proxies.get(a).userData + ", " + proxies.get(b).userData);
+            String pair = proxies.get(a).userData + ", " + proxies.get(b).userData;
+            expected.add(pair);
+            if (bits(a).accepts(bits(b)) && bits(b).accepts(bits(a))) {
+              useful.add(pair);
+            } else if (!bits(a).accepts(bits(b)) && !bits(b).accepts(bits(a))) {
+              useless.add(pair);
+            }
           }
         }
       }
       List<String> reported = new ArrayList<>();
-      broadPhase.updatePairs((a, b) -> reported.add(a + ", " + b));
-      assertEquals(expected, new TreeSet<>(reported));
-      assertEquals(expected.size(), reported.size(), "a pair was reported twice");
+      if (chosen) {
+        broadPhase.updatePairs(new Chooser(reported));
+        assertTrue(reported.containsAll(useful), "a pair was left out");
+        assertTrue(expected.containsAll(reported), "a pair does not overlap, or has not moved");
+        if (!(strategy instanceof ForeignStrategy)) {
+          assertTrue(Collections.disjoint(useless, reported), "a pair is of no use");
+        }
+      } else {
+        broadPhase.updatePairs((a, b) -> reported.add(a + ", " + b));
+        assertEquals(expected, new TreeSet<>(reported));
+      }
+      int found = reported.size();
+      assertEquals(new TreeSet<>(reported).size(), found, "a pair was reported twice");
       broadPhase.updatePairs((a, b) -> reported.add("again"));
-      assertEquals(expected.size(), reported.size(), "pairs were reported again");
+      assertEquals(found, reported.size(), "pairs were reported again");
       moved.clear();
     }
 
