@@ -39,6 +39,15 @@ public class ContactManager implements PairCallback, PairSelection {
   Contact[] active = new Contact[64];
   int activeCount;
 
+  /**
+   * Whether an active contact did not touch when it was last looked at, its tight boxes being
+   * apart, and nothing but the boxes can have changed that since.
+   */
+  boolean[] apart = new boolean[64];
+
+  /** Both proxies of each active contact, so that a look at their boxes needs no contact. */
+  int[] proxies = new int[128];
+
   /** Whether {@link #active} may hold contacts without an awake body. */
   boolean strays;
 
@@ -221,31 +230,50 @@ public class ContactManager implements PairCallback, PairSelection {
   /**
    * Updates every contact that has an awake body: filters, drops it if the bounds have parted,
    * computes the manifold. A contact that does not touch and whose tight boxes are apart stays as
-   * it is: most of the contacts of a pile, for which nothing but the contact itself and the boxes
-   * is read. Bounds hold the tight boxes, so those that are near have not parted.
+   * it is: most of the contacts of a heap in motion, for which nothing but the boxes is read.
+   * Bounds hold the tight boxes, so those that are near have not parted.
    */
   public void collide() {
     // Far above the rounding of the boxes and of the narrow phase, so that nothing that touches is
     // passed over.
     float slop = Settings.linearSlop;
     world.getPool().getCollision().beginPass();
-    int mask = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG;
     int i = 0;
     while (i < activeCount) {
-      Contact c = active[i];
-      boolean near = m_broadPhase.testTightOverlap(c.m_proxyA, c.m_proxyB, slop);
-      if ((!near || (c.m_flags & Contact.FILTER_FLAG) != 0) && !mayPersist(c)) {
+      int a = proxies[2 * i];
+      int b = proxies[2 * i + 1];
+      boolean near = m_broadPhase.testTightOverlap(a, b, slop);
+      if (!near && apart[i] ? m_broadPhase.testOverlap(a, b) : collide(i, near)) {
+        i++;
+      } else {
         // The last active contact takes this place.
-        destroy(c);
-        continue;
+        destroy(active[i]);
       }
-      if (near || (c.m_flags & mask) != Contact.ENABLED_FLAG) {
-        c.update(m_contactListener);
-      }
-      i++;
     }
     if (strays) {
       dropStrays();
+    }
+  }
+
+  /** Returns whether a contact stays. */
+  private boolean collide(int i, boolean near) {
+    Contact c = active[i];
+    if ((!near || (c.m_flags & Contact.FILTER_FLAG) != 0) && !mayPersist(c)) {
+      return false;
+    }
+    // A listener may have it filtered again.
+    int state = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG | Contact.FILTER_FLAG;
+    if (near || (c.m_flags & state) != Contact.ENABLED_FLAG) {
+      c.update(m_contactListener);
+    }
+    apart[i] = !near && (c.m_flags & state) == Contact.ENABLED_FLAG;
+    return true;
+  }
+
+  /** Engine-internal: a contact may have to be filtered, or have come to touch or to part. */
+  public void lookAt(Contact c) {
+    if (c.m_activeIndex >= 0) {
+      apart[c.m_activeIndex] = false;
     }
   }
 
@@ -300,9 +328,15 @@ public class ContactManager implements PairCallback, PairSelection {
       return;
     }
     if (activeCount == active.length) {
-      active = Arrays.copyOf(active, activeCount + (activeCount >> 1));
+      int capacity = activeCount + (activeCount >> 1);
+      active = Arrays.copyOf(active, capacity);
+      apart = Arrays.copyOf(apart, capacity);
+      proxies = Arrays.copyOf(proxies, 2 * capacity);
     }
     c.m_activeIndex = activeCount;
+    apart[activeCount] = false;
+    proxies[2 * activeCount] = c.m_proxyA;
+    proxies[2 * activeCount + 1] = c.m_proxyB;
     active[activeCount++] = c;
   }
 
@@ -313,6 +347,9 @@ public class ContactManager implements PairCallback, PairSelection {
     }
     Contact last = active[--activeCount];
     active[i] = last;
+    apart[i] = apart[activeCount];
+    proxies[2 * i] = proxies[2 * activeCount];
+    proxies[2 * i + 1] = proxies[2 * activeCount + 1];
     last.m_activeIndex = i;
     active[activeCount] = null;
     c.m_activeIndex = -1;

@@ -113,7 +113,9 @@ final class Islands {
     materials = false;
     System.arraycopy(jointParent, 0, parent, 0, awake.count);
     for (int i = 0; i < manager.activeCount; i++) {
-      linkContact(manager.active[i]);
+      if (!manager.apart[i]) {
+        linkContact(manager.active[i]);
+      }
     }
     // A body that a contact has woken may have joints.
     return awake.changes == jointChanges;
@@ -139,7 +141,9 @@ final class Islands {
         keepJointSets(awake);
       }
       for (; linkedContacts < manager.activeCount; linkedContacts++) {
-        linkContact(manager.active[linkedContacts]);
+        if (!manager.apart[linkedContacts]) {
+          linkContact(manager.active[linkedContacts]);
+        }
       }
     }
     for (int i = 0; i < jointCount; i++) {

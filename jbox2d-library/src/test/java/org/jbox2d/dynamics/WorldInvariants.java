@@ -120,7 +120,12 @@ final class WorldInvariants {
         assertEquals(needed, c.m_activeIndex >= 0, "active contacts do not fit the awake set");
       }
       if (c.m_activeIndex >= 0) {
-        assertSame(c, manager.active[c.m_activeIndex]);
+        int i = c.m_activeIndex;
+        assertSame(c, manager.active[i]);
+        assertEquals(c.m_proxyA, manager.proxies[2 * i]);
+        assertEquals(c.m_proxyB, manager.proxies[2 * i + 1]);
+        int state = Contact.TOUCHING_FLAG | Contact.ENABLED_FLAG | Contact.FILTER_FLAG;
+        assertTrue(!manager.apart[i] || (c.m_flags & state) == Contact.ENABLED_FLAG, "overlooked");
         active++;
       }
     }

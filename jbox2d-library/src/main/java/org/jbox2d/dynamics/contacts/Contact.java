@@ -288,6 +288,11 @@ public abstract class Contact {
   /** Marks the contact for filtering before the next step. */
   public void flagForFiltering() {
     m_flags |= FILTER_FLAG;
+    haveLookedAt();
+  }
+
+  private void haveLookedAt() {
+    m_bodyA.m_world.getContactManager().lookAt(this);
   }
 
   /**
@@ -330,6 +335,7 @@ public abstract class Contact {
       m_bodyA.setAwake(true);
       m_bodyB.setAwake(true);
     }
+    haveLookedAt();
     if (touching) {
       m_flags |= TOUCHING_FLAG;
     } else {
