@@ -72,7 +72,6 @@ public class Fixture {
   /** Whether somebody else may hold, and change, the filter. */
   private boolean filterShared;
 
-  private final Vec2 displacement = new Vec2();
   private CompoundShape compound;
   private int summedPass = -1;
   private int shapeSum;
@@ -275,13 +274,18 @@ public class Fixture {
     m_shape.computeMass(massData, m_density);
   }
 
-  /** Returns the bounds of a child in the broad phase, as of the last step. */
+  /**
+   * Returns the bounds of a child that is in the broad phase, where the body is now; the next call
+   * for this child writes them anew.
+   */
   public AABB getAABB(int childIndex) {
     if (childIndex < 0 || childIndex >= m_proxyCount) {
       throw new IllegalArgumentException(
           "childIndex must be in [0, " + m_proxyCount + "), is " + childIndex);
     }
-    return m_proxies[childIndex].aabb;
+    AABB aabb = m_proxies[childIndex].aabb;
+    m_shape.computeAABB(aabb, m_body.m_xf, childIndex);
+    return aabb;
   }
 
   /** Does nothing; kept for programs compiled against 2.2.1.1. */
@@ -372,12 +376,13 @@ public class Fixture {
    * @param transform2 transform now
    */
   protected void synchronize(BroadPhase broadPhase, Transform transform1, Transform transform2) {
+    Vec2 displacement = m_body.m_world.displacement;
     displacement.x = transform2.p.x - transform1.p.x;
     displacement.y = transform2.p.y - transform1.p.y;
+    AABB bounds = m_body.m_world.bounds;
     for (int i = 0; i < m_proxyCount; i++) {
-      FixtureProxy proxy = m_proxies[i];
-      m_shape.computeAABB(proxy.aabb, transform2, proxy.childIndex);
-      broadPhase.moveProxy(proxy.proxyId, proxy.aabb, displacement);
+      m_shape.computeAABB(bounds, transform2, i);
+      broadPhase.moveProxy(m_proxies[i].proxyId, bounds, displacement);
     }
   }
 }

@@ -129,7 +129,8 @@ final class ImpactSearch implements TreeCallback {
           FixtureProxy q = found[k];
           // The box of what moves is that of the end of its way, so only a still one can be
           // excluded by it.
-          if (q.fixture.m_body.m_type != BodyType.STATIC || AABB.testOverlap(way, q.aabb)) {
+          if (q.fixture.m_body.m_type != BodyType.STATIC
+              || AABB.testOverlap(way, q.fixture.getAABB(q.childIndex))) {
             test(b, p, q.fixture.m_body, q);
           }
         }

@@ -63,6 +63,13 @@ public class World {
   private final WorldJoints joints;
   private final WorldRayCast rayCast;
   private final StepPhases phases;
+
+  /** What {@link Fixture#synchronize} hands on, of one fixture after the other. */
+  final AABB bounds = new AABB();
+
+  /** As {@link #bounds}. */
+  final Vec2 displacement = new Vec2();
+
   private final ArrayDeque<Runnable> deferred = new ArrayDeque<>();
   private final List<Object> extensions = new ArrayList<>();
   private final List<StepListener> stepListeners = new ArrayList<>();

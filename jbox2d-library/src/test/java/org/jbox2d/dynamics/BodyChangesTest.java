@@ -286,6 +286,31 @@ class BodyChangesTest {
     assertEquals(1f, body.getAngle());
   }
 
+  /** A disc that moves freely, and one that is put somewhere: bounds are one radius about it. */
+  @Test
+  void boundsAreWhereTheBodyIs() {
+    Body body = Make.disc(world, 0f, 0f, 1f);
+    body.setLinearVelocity(new Vec2(30f, 0f));
+    for (int i = 0; i < 5; i++) {
+      Make.steps(world, 1);
+      checkBounds(body);
+    }
+    body.setTransform(new Vec2(7f, -3f), 0f);
+    checkBounds(body);
+    body.setType(BodyType.STATIC);
+    checkBounds(body);
+  }
+
+  private static void checkBounds(Body body) {
+    AABB bounds = body.getFixtureList().getAABB(0);
+    assertEquals(body.getPosition().x - 1f, bounds.lowerBound.x, 1e-5f);
+    assertEquals(body.getPosition().y - 1f, bounds.lowerBound.y, 1e-5f);
+    assertEquals(body.getPosition().x + 1f, bounds.upperBound.x, 1e-5f);
+    assertEquals(body.getPosition().y + 1f, bounds.upperBound.y, 1e-5f);
+    int proxy = body.getFixtureList().m_proxies[0].proxyId;
+    assertTrue(body.m_world.m_contactManager.m_broadPhase.covers(proxy, bounds));
+  }
+
   @Test
   void destructionTellsJointsAndFixtures() {
     Body ground = Make.ground(world);

@@ -159,8 +159,8 @@ public class DynamicTreeFlatNodes extends FlatTreeSearch implements BroadPhaseSt
   }
 
   private void checkProxy(int proxyId) {
-    boolean isProxy = proxyId >= 0 && proxyId < capacity() && !isFree(proxyId) && isLeaf(proxyId);
-    if (!isProxy) {
+    // Leaves alone have this height, and it is all that needs to be read.
+    if (proxyId < 0 || proxyId >= capacity() || m_height[proxyId] != 0) {
       throw new IllegalArgumentException("no proxy has the id " + proxyId);
     }
   }
