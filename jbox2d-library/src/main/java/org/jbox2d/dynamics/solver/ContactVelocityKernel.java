@@ -54,22 +54,113 @@ public final class ContactVelocityKernel {
     }
   }
 
-  /** One iteration over constraints {@code [from, to)}. */
+  /**
+   * One iteration over constraints {@code [from, to)}. All of a contact is solved here, in one
+   * loop, as in {@link SoftContactKernel#push}.
+   */
   public static void solve(ContactConstraints cc, SolverBodies bodies, int from, int to) {
     float[] d = cc.vel;
     float[] v = bodies.vel;
-    int[] bodyA = cc.bodyA;
-    int[] bodyB = cc.bodyB;
-    int[] points = cc.pointCount;
     for (int i = from; i < to; i++) {
+      // Stage 1: what one point and two have in common
       int c = V_STRIDE * i;
-      int oA = SolverBodies.STRIDE * bodyA[i];
-      int oB = SolverBodies.STRIDE * bodyB[i];
-      if (points[i] == 2) {
-        solveTwo(d, c, v, oA, oB, cc.block, K_STRIDE * i);
-      } else {
-        solveOne(d, c, v, oA, oB);
+      int o1 = c + POINT;
+      int oA = SolverBodies.STRIDE * cc.bodyA[i];
+      int oB = SolverBodies.STRIDE * cc.bodyB[i];
+      float mA = d[c + INV_MASS_A];
+      float iA = d[c + INV_I_A];
+      float mB = d[c + INV_MASS_B];
+      float iB = d[c + INV_I_B];
+      float nx = d[c + NX];
+      float ny = d[c + NY];
+      float vAx = v[oA];
+      float vAy = v[oA + 1];
+      float wA = v[oA + 2];
+      float vBx = v[oB];
+      float vBy = v[oB + 1];
+      float wB = v[oB + 2];
+      float rn1A = d[o1 + RN_A];
+      float rn1B = d[o1 + RN_B];
+      float a1 = d[o1 + NORMAL_IMPULSE];
+      float friction = d[c + FRICTION];
+      float speed = d[c + TANGENT_SPEED];
+
+      // Stage 2: friction along t = (ny, -nx), at point 1, then at point 2
+      float rtA = d[o1 + RT_A];
+      float rtB = d[o1 + RT_B];
+      float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
+      float oldT = d[o1 + TANGENT_IMPULSE];
+      float newT = clamp(oldT - d[o1 + TANGENT_MASS] * vt, friction * a1);
+      d[o1 + TANGENT_IMPULSE] = newT;
+      float jt = newT - oldT;
+      vAx -= mA * jt * ny;
+      vAy += mA * jt * nx;
+      wA -= iA * jt * rtA;
+      vBx += mB * jt * ny;
+      vBy -= mB * jt * nx;
+      wB += iB * jt * rtB;
+      if (cc.pointCount[i] != 2) {
+        // Stage 3 of one point: the normal
+        float vn = (vBx - vAx) * nx + (vBy - vAy) * ny + wB * rn1B - wA * rn1A;
+        float newN = a1 - d[c + M11] * (vn - d[o1 + BIAS]);
+        if (newN < 0f) {
+          newN = 0f;
+        }
+        d[o1 + NORMAL_IMPULSE] = newN;
+        float jn = newN - a1;
+        v[oA] = vAx - mA * jn * nx;
+        v[oA + 1] = vAy - mA * jn * ny;
+        v[oA + 2] = wA - iA * jn * rn1A;
+        v[oB] = vBx + mB * jn * nx;
+        v[oB + 1] = vBy + mB * jn * ny;
+        v[oB + 2] = wB + iB * jn * rn1B;
+        continue;
       }
+      int o2 = o1 + POINT_STRIDE;
+      float a2 = d[o2 + NORMAL_IMPULSE];
+      rtA = d[o2 + RT_A];
+      rtB = d[o2 + RT_B];
+      vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
+      oldT = d[o2 + TANGENT_IMPULSE];
+      newT = clamp(oldT - d[o2 + TANGENT_MASS] * vt, friction * a2);
+      d[o2 + TANGENT_IMPULSE] = newT;
+      jt = newT - oldT;
+      vAx -= mA * jt * ny;
+      vAy += mA * jt * nx;
+      wA -= iA * jt * rtA;
+      vBx += mB * jt * ny;
+      vBy -= mB * jt * nx;
+      wB += iB * jt * rtB;
+
+      // Stage 3 of two: e = vn - bias, x = a - M e if both push
+      float rn2A = d[o2 + RN_A];
+      float rn2B = d[o2 + RN_B];
+      float along = (vBx - vAx) * nx + (vBy - vAy) * ny;
+      float e1 = along + wB * rn1B - wA * rn1A - d[o1 + BIAS];
+      float e2 = along + wB * rn2B - wA * rn2A - d[o2 + BIAS];
+      float x1 = a1 - (d[c + M11] * e1 + d[c + M12] * e2);
+      float x2 = a2 - (d[c + M12] * e1 + d[c + M22] * e2);
+      if (!(x1 >= 0f && x2 >= 0f)) {
+        float[] block = cc.block;
+        int ko = K_STRIDE * i;
+        float k12 = block[ko + K12];
+        float q1 = block[ko + K11] * a1 + k12 * a2 - e1;
+        float q2 = k12 * a1 + block[ko + K22] * a2 - e2;
+        pushAtMostOne(d, o1, o2, a1, a2, block, ko, q1, q2);
+        x1 = d[o1 + NORMAL_IMPULSE];
+        x2 = d[o2 + NORMAL_IMPULSE];
+      }
+      d[o1 + NORMAL_IMPULSE] = x1;
+      d[o2 + NORMAL_IMPULSE] = x2;
+      float j1 = x1 - a1;
+      float j2 = x2 - a2;
+      float j = j1 + j2;
+      v[oA] = vAx - mA * j * nx;
+      v[oA + 1] = vAy - mA * j * ny;
+      v[oA + 2] = wA - iA * (j1 * rn1A + j2 * rn2A);
+      v[oB] = vBx + mB * j * nx;
+      v[oB + 1] = vBy + mB * j * ny;
+      v[oB + 2] = wB + iB * (j1 * rn1B + j2 * rn2B);
     }
   }
 
@@ -83,139 +174,6 @@ public final class ContactVelocityKernel {
       return limit;
     }
     return x < -limit ? -limit : x;
-  }
-
-  private static void solveOne(float[] d, int c, float[] v, int oA, int oB) {
-    float mA = d[c + INV_MASS_A];
-    float iA = d[c + INV_I_A];
-    float mB = d[c + INV_MASS_B];
-    float iB = d[c + INV_I_B];
-    float nx = d[c + NX];
-    float ny = d[c + NY];
-    float vAx = v[oA];
-    float vAy = v[oA + 1];
-    float wA = v[oA + 2];
-    float vBx = v[oB];
-    float vBy = v[oB + 1];
-    float wB = v[oB + 2];
-    int o = c + POINT;
-
-    // Friction along t = (ny, -nx)
-    float rtA = d[o + RT_A];
-    float rtB = d[o + RT_B];
-    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - d[c + TANGENT_SPEED];
-    float limit = d[c + FRICTION] * d[o + NORMAL_IMPULSE];
-    float oldT = d[o + TANGENT_IMPULSE];
-    float newT = clamp(oldT - d[o + TANGENT_MASS] * vt, limit);
-    d[o + TANGENT_IMPULSE] = newT;
-    float jt = newT - oldT;
-    vAx -= mA * jt * ny;
-    vAy += mA * jt * nx;
-    wA -= iA * jt * rtA;
-    vBx += mB * jt * ny;
-    vBy -= mB * jt * nx;
-    wB += iB * jt * rtB;
-
-    // Normal
-    float rnA = d[o + RN_A];
-    float rnB = d[o + RN_B];
-    float vn = (vBx - vAx) * nx + (vBy - vAy) * ny + wB * rnB - wA * rnA;
-    float oldN = d[o + NORMAL_IMPULSE];
-    float newN = oldN - d[c + M11] * (vn - d[o + BIAS]);
-    if (newN < 0f) {
-      newN = 0f;
-    }
-    d[o + NORMAL_IMPULSE] = newN;
-    float jn = newN - oldN;
-    v[oA] = vAx - mA * jn * nx;
-    v[oA + 1] = vAy - mA * jn * ny;
-    v[oA + 2] = wA - iA * jn * rnA;
-    v[oB] = vBx + mB * jn * nx;
-    v[oB + 1] = vBy + mB * jn * ny;
-    v[oB + 2] = wB + iB * jn * rnB;
-  }
-
-  private static void solveTwo(float[] d, int c, float[] v, int oA, int oB, float[] block, int ko) {
-    float mA = d[c + INV_MASS_A];
-    float iA = d[c + INV_I_A];
-    float mB = d[c + INV_MASS_B];
-    float iB = d[c + INV_I_B];
-    float nx = d[c + NX];
-    float ny = d[c + NY];
-    float vAx = v[oA];
-    float vAy = v[oA + 1];
-    float wA = v[oA + 2];
-    float vBx = v[oB];
-    float vBy = v[oB + 1];
-    float wB = v[oB + 2];
-    int o1 = c + POINT;
-    int o2 = c + POINT + POINT_STRIDE;
-    float a1 = d[o1 + NORMAL_IMPULSE];
-    float a2 = d[o2 + NORMAL_IMPULSE];
-    float friction = d[c + FRICTION];
-    float speed = d[c + TANGENT_SPEED];
-
-    // Friction at point 1, then at point 2
-    float rtA = d[o1 + RT_A];
-    float rtB = d[o1 + RT_B];
-    float vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
-    float limit = friction * a1;
-    float oldT = d[o1 + TANGENT_IMPULSE];
-    float newT = clamp(oldT - d[o1 + TANGENT_MASS] * vt, limit);
-    d[o1 + TANGENT_IMPULSE] = newT;
-    float jt = newT - oldT;
-    vAx -= mA * jt * ny;
-    vAy += mA * jt * nx;
-    wA -= iA * jt * rtA;
-    vBx += mB * jt * ny;
-    vBy -= mB * jt * nx;
-    wB += iB * jt * rtB;
-
-    rtA = d[o2 + RT_A];
-    rtB = d[o2 + RT_B];
-    vt = (vBx - vAx) * ny - (vBy - vAy) * nx + wB * rtB - wA * rtA - speed;
-    limit = friction * a2;
-    oldT = d[o2 + TANGENT_IMPULSE];
-    newT = clamp(oldT - d[o2 + TANGENT_MASS] * vt, limit);
-    d[o2 + TANGENT_IMPULSE] = newT;
-    jt = newT - oldT;
-    vAx -= mA * jt * ny;
-    vAy += mA * jt * nx;
-    wA -= iA * jt * rtA;
-    vBx += mB * jt * ny;
-    vBy -= mB * jt * nx;
-    wB += iB * jt * rtB;
-
-    // Normals: e = vn - bias, x = a - M e if both push
-    float rn1A = d[o1 + RN_A];
-    float rn1B = d[o1 + RN_B];
-    float rn2A = d[o2 + RN_A];
-    float rn2B = d[o2 + RN_B];
-    float along = (vBx - vAx) * nx + (vBy - vAy) * ny;
-    float e1 = along + wB * rn1B - wA * rn1A - d[o1 + BIAS];
-    float e2 = along + wB * rn2B - wA * rn2A - d[o2 + BIAS];
-    float x1 = a1 - (d[c + M11] * e1 + d[c + M12] * e2);
-    float x2 = a2 - (d[c + M12] * e1 + d[c + M22] * e2);
-
-    if (!(x1 >= 0f && x2 >= 0f)) {
-      float k12 = block[ko + K12];
-      float q1 = block[ko + K11] * a1 + k12 * a2 - e1;
-      float q2 = k12 * a1 + block[ko + K22] * a2 - e2;
-      pushAtMostOne(d, o1, o2, a1, a2, block, ko, q1, q2);
-      x1 = d[o1 + NORMAL_IMPULSE];
-      x2 = d[o2 + NORMAL_IMPULSE];
-    }
-    d[o1 + NORMAL_IMPULSE] = x1;
-    d[o2 + NORMAL_IMPULSE] = x2;
-    float j1 = x1 - a1;
-    float j2 = x2 - a2;
-    float j = j1 + j2;
-    v[oA] = vAx - mA * j * nx;
-    v[oA + 1] = vAy - mA * j * ny;
-    v[oA + 2] = wA - iA * (j1 * rn1A + j2 * rn2A);
-    v[oB] = vBx + mB * j * nx;
-    v[oB + 1] = vBy + mB * j * ny;
-    v[oB + 2] = wB + iB * (j1 * rn1B + j2 * rn2B);
   }
 
   /**

@@ -1,72 +1,12 @@
 package org.jbox2d.dynamics.solver;
 
 /**
- * The two rows that pin a point of one body to a point of another, of a hinge or of a weld with a
- * spring: the formulas of {@link Arms} with all that they read held in local variables. Places,
- * velocities and rows are all floats, so that a compiler that sees one array written must read the
- * others again.
+ * Draws a point of one body to a point of another, of a hinge or of a weld with a spring: the
+ * formulas of {@link Arms} with all that they read held in local variables. Places and rows are all
+ * floats, so that a compiler that sees one array written must read the others again.
  */
 final class PinKernel {
   private PinKernel() {}
-
-  /**
-   * One velocity iteration.
-   *
-   * @param at place of {@code K^-1} in the row
-   * @param impulse place of the point's impulses, x and y, to which it adds
-   * @param mostBend bound of the bend that is followed, m/s; see {@link Arms#mostBend}
-   */
-  static void solveVelocity(
-      float[] f,
-      int o,
-      int at,
-      int impulse,
-      float mostBend,
-      float[] v,
-      float[] m,
-      int a,
-      int b,
-      StepConfig step) {
-    float rAx = f[o + Arms.RAX];
-    float rAy = f[o + Arms.RAY];
-    float rBx = f[o + Arms.RBX];
-    float rBy = f[o + Arms.RBY];
-    float vAx = v[a];
-    float vAy = v[a + 1];
-    float wA = v[a + 2];
-    float vBx = v[b];
-    float vBy = v[b + 1];
-    float wB = v[b + 2];
-    float cx = vBx - wB * rBy - vAx + wA * rAy;
-    float cy = vBy + wB * rBx - vAy - wA * rAx;
-    if (mostBend > 0f) {
-      float invH = step.invDt;
-      float tA = Arms.turn(wA * step.dt);
-      float tB = Arms.turn(wB * step.dt);
-      float versineA = Arms.versine(tA);
-      float versineB = Arms.versine(tB);
-      float lagA = Arms.lag(tA);
-      float lagB = Arms.lag(tB);
-      float bendX = invH * (versineA * rAx - lagA * rAy - versineB * rBx + lagB * rBy);
-      float bendY = invH * (versineA * rAy + lagA * rAx - versineB * rBy - lagB * rBx);
-      cx += Arms.bounded(bendX, mostBend);
-      cy += Arms.bounded(bendY, mostBend);
-    }
-    float px = -(f[at] * cx + f[at + 1] * cy);
-    float py = -(f[at + 1] * cx + f[at + 2] * cy);
-    f[impulse] += px;
-    f[impulse + 1] += py;
-    float mA = m[a];
-    float iA = m[a + 1];
-    float mB = m[b];
-    float iB = m[b + 1];
-    v[a] = vAx - mA * px;
-    v[a + 1] = vAy - mA * py;
-    v[a + 2] = wA - iA * (rAx * py - rAy * px);
-    v[b] = vBx + mB * px;
-    v[b + 1] = vBy + mB * py;
-    v[b + 2] = wB + iB * (rBx * py - rBy * px);
-  }
 
   /**
    * One Newton step towards coincident points.

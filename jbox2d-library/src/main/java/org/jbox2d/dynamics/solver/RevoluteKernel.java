@@ -213,6 +213,12 @@ public final class RevoluteKernel extends JointKernel {
     f[o + AXIAL_MASS] = s > LEAST_TURN * turn ? 1f / s : 0f;
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * <p>The point is solved here and not in a method of its own, which would be too large for the
+   * JIT to inline; with all that it reads held in local variables, see {@link PinKernel}.
+   */
   @Override
   public void solveVelocity(
       JointRows rows, int from, int to, SolverBodies bodies, StepConfig step) {
@@ -220,6 +226,7 @@ public final class RevoluteKernel extends JointKernel {
     float[] v = bodies.vel;
     float[] m = bodies.mass;
     float h = step.dt;
+    float invH = step.invDt;
     for (int r = from; r < to; r++) {
       int o = rows.floatAt[r];
       int a = SolverBodies.STRIDE * rows.bodies[rows.bodyAt[r]];
@@ -234,7 +241,47 @@ public final class RevoluteKernel extends JointKernel {
           Arms.push(f, o, v, m, a, b, alongX, alongY, turn);
         }
       }
-      PinKernel.solveVelocity(f, o, o + M11, o + IMPULSE_X, f[o + MOST_BEND], v, m, a, b, step);
+
+      // The point
+      float rAx = f[o + Arms.RAX];
+      float rAy = f[o + Arms.RAY];
+      float rBx = f[o + Arms.RBX];
+      float rBy = f[o + Arms.RBY];
+      float vAx = v[a];
+      float vAy = v[a + 1];
+      float wA = v[a + 2];
+      float vBx = v[b];
+      float vBy = v[b + 1];
+      float wB = v[b + 2];
+      float cx = vBx - wB * rBy - vAx + wA * rAy;
+      float cy = vBy + wB * rBx - vAy - wA * rAx;
+      float mostBend = f[o + MOST_BEND];
+      if (mostBend > 0f) {
+        float tA = Arms.turn(wA * h);
+        float tB = Arms.turn(wB * h);
+        float versineA = Arms.versine(tA);
+        float versineB = Arms.versine(tB);
+        float lagA = Arms.lag(tA);
+        float lagB = Arms.lag(tB);
+        float bendX = invH * (versineA * rAx - lagA * rAy - versineB * rBx + lagB * rBy);
+        float bendY = invH * (versineA * rAy + lagA * rAx - versineB * rBy - lagB * rBx);
+        cx += Arms.bounded(bendX, mostBend);
+        cy += Arms.bounded(bendY, mostBend);
+      }
+      float px = -(f[o + M11] * cx + f[o + M12] * cy);
+      float py = -(f[o + M12] * cx + f[o + M22] * cy);
+      f[o + IMPULSE_X] += px;
+      f[o + IMPULSE_Y] += py;
+      float mA = m[a];
+      float iA = m[a + 1];
+      float mB = m[b];
+      float iB = m[b + 1];
+      v[a] = vAx - mA * px;
+      v[a + 1] = vAy - mA * py;
+      v[a + 2] = wA - iA * (rAx * py - rAy * px);
+      v[b] = vBx + mB * px;
+      v[b + 1] = vBy + mB * py;
+      v[b + 2] = wB + iB * (rBx * py - rBy * px);
     }
   }
 
