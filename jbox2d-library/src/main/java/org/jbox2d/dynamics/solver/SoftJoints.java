@@ -33,10 +33,14 @@ final class SoftJoints {
     chains = new HingeChains(bodies, rows);
   }
 
-  /** Begins an island: bodies {@code slots[b0, b1)}. */
-  void begin(int j0, int j1, int[] slots, int b0, int b1) {
+  /**
+   * Begins an island: bodies {@code slots[b0, b1)}.
+   *
+   * @param touching whether it has contacts
+   */
+  void begin(int j0, int j1, int[] slots, int b0, int b1, boolean touching, StepConfig sub) {
     fastCount = 0;
-    chains.find(j0, j1, slots, b0, b1);
+    chains.find(j0, j1, slots, b0, b1, touching, sub);
   }
 
   /** Notes velocities before the forces of a substep, for kernels that need them. */

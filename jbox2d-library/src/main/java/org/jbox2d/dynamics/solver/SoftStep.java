@@ -158,11 +158,11 @@ public final class SoftStep {
    */
   public boolean solve(
       int[] slots, int b0, int b1, int c0, int c1, int j0, int j1, StepConfig step, int substeps) {
-    joints.begin(j0, j1, slots, b0, b1);
     if (j0 == j1) {
       gain.open(slots, b0, b1, step, substeps);
     }
     prepareContacts(c0, c1, step, substeps);
+    joints.begin(j0, j1, slots, b0, b1, c0 < c1, sub);
     int cappedBefore = capped;
     for (int n = 0; n < substeps; n++) {
       if (j0 < j1) {

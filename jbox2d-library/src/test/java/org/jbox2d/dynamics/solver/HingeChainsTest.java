@@ -68,11 +68,15 @@ class HingeChainsTest {
     }
   }
 
-  private void solve() {
+  private void find(boolean touching) {
     step.dt = H;
     step.invDt = 1 / H;
     step.linearSlop = 0.005f;
-    chains.find(0, rows.count, slots, 0, slots.length);
+    chains.find(0, rows.count, slots, 0, slots.length, touching, step);
+  }
+
+  private void solve() {
+    find(false);
     JointKernels.REVOLUTE.prepare(rows, 0, rows.count, bodies, step);
     chains.factor();
     chains.solve(step);
@@ -173,22 +177,49 @@ class HingeChainsTest {
     for (int i = 1; i < 6; i++) {
       hinge(i - 1, i);
     }
-    chains.find(0, rows.count, slots, 0, slots.length);
+    find(false);
     assertTrue(chains.areThere());
     hinge(5, 0);
-    chains.find(0, rows.count, slots, 0, slots.length);
+    find(false);
     assertFalse(chains.areThere(), "ring");
 
     rows.count--;
     rows.add(JointKernels.DISTANCE, DistanceKernel.FLOATS, 5, 0);
-    chains.find(0, rows.count, slots, 0, slots.length);
+    find(false);
     assertFalse(chains.areThere(), "held by a rod");
 
     rows.count--;
     for (int slot : slots) {
       bodies.mass[SolverBodies.STRIDE * slot] = 1f;
     }
-    chains.find(0, rows.count, slots, 0, slots.length);
+    find(false);
     assertFalse(chains.areThere(), "equal masses");
+  }
+
+  /** Of like masses, chains are looked for that turn by more than 0.015 rad and touch nothing. */
+  @Test
+  void findsEvenChainsThatTurnFast() {
+    random = new Random(1);
+    place(8, true);
+    for (int slot : slots) {
+      bodies.mass[SolverBodies.STRIDE * slot] = 1f;
+    }
+    // Two chains of an island; the first of them turns.
+    for (int i = 1; i < 4; i++) {
+      hinge(i - 1, i);
+    }
+    hinge(0, 4);
+    for (int i = 5; i < 8; i++) {
+      hinge(i - 1, i);
+    }
+    bodies.vel[SolverBodies.STRIDE * 2 + 2] = 0.014f / H;
+    find(false);
+    assertFalse(chains.areThere(), "slow");
+    bodies.vel[SolverBodies.STRIDE * 2 + 2] = -0.016f / H;
+    find(false);
+    assertTrue(chains.areThere(), "fast");
+    assertEquals(3, chains.linkCount());
+    find(true);
+    assertFalse(chains.areThere(), "touching");
   }
 }
