@@ -97,11 +97,14 @@ final class IslandEffort {
   private float needed(int island, StepConfig step, int held, int most) {
     int c0 = islands.contactStart[island];
     int c1 = islands.contactStart[island + 1];
-    int bodyCount = islands.bodyStart[island + 1] - islands.bodyStart[island];
-    float needed = Math.min(effort.ofContacts(c0, c1, bodyCount, step), CONTACT_RISE * held);
+    int b0 = islands.bodyStart[island];
+    int b1 = islands.bodyStart[island + 1];
+    float needed = Math.min(effort.ofContacts(c0, c1, b1 - b0, step), CONTACT_RISE * held);
     if (islands.hasJoints(island)) {
       int j0 = islands.jointStart[island];
-      needed = Math.max(needed, effort.ofJoints(j0, islands.jointStart[island + 1], most, step));
+      int j1 = islands.jointStart[island + 1];
+      float ofJoints = effort.ofJoints(j0, j1, islands.bodies, b0, b1, c0 < c1, most, step);
+      needed = Math.max(needed, ofJoints);
     }
     return needed;
   }

@@ -108,16 +108,25 @@ final class HingeChains {
    * @param touching whether it has contacts
    */
   void find(int j0, int j1, int[] slots, int b0, int b1, boolean touching, StepConfig sub) {
+    findUneven(j0, j1, slots, b0, b1);
+    float least = FAST_TURN * sub.invDt;
+    boolean even = j1 - j0 > 1 && !uneven && !touching;
+    if (even && fastest(slots, b0, b1) > least) {
+      addChains(j0, j1, slots, b0, b1, least);
+    }
+  }
+
+  /** Looks for those alone that are solved at once for their masses. */
+  void findUneven(int j0, int j1, int[] slots, int b0, int b1) {
     chains = 0;
     links = 0;
-    if (j1 - j0 < 2) {
-      return;
+    uneven = j1 - j0 > 1 && isUneven(slots, b0, b1);
+    if (uneven) {
+      addChains(j0, j1, slots, b0, b1, 0f);
     }
-    uneven = isUneven(slots, b0, b1);
-    float least = uneven ? 0f : FAST_TURN * sub.invDt;
-    if (!uneven && (touching || fastest(slots, b0, b1) <= least)) {
-      return;
-    }
+  }
+
+  private void addChains(int j0, int j1, int[] slots, int b0, int b1, float least) {
     countHinges(j0, j1, slots, b0, b1);
     for (int k = b0; k < b1; k++) {
       int slot = slots[k];
@@ -205,7 +214,7 @@ final class HingeChains {
       hinge = hinges[at] == hinge ? hinges[at + 1] : hinges[at];
     }
     if (links - start < 2 || fastest(shared, start, links) < least) {
-      links = start;
+      dropFrom(start);
       return;
     }
     if (chains + 2 > chainStart.length) {
@@ -213,6 +222,13 @@ final class HingeChains {
     }
     chainStart[chains++] = start;
     chainStart[chains] = links;
+  }
+
+  private void dropFrom(int start) {
+    for (int i = start; i < links; i++) {
+      marks[row[i]] = mark - 1;
+    }
+    links = start;
   }
 
   private void addLink(int hinge, int slot) {
@@ -234,6 +250,36 @@ final class HingeChains {
   /** How many hinges they have in all. */
   int linkCount() {
     return links;
+  }
+
+  /** Whether a row of the island is in one of its chains. */
+  boolean has(int r) {
+    return chains > 0 && marks[r] == mark;
+  }
+
+  /** How many chains there are. */
+  int count() {
+    return chains;
+  }
+
+  /** The first link of a chain, from its free end; of the number of chains where the last ends. */
+  int start(int chain) {
+    return chainStart[chain];
+  }
+
+  /** The row of a link. */
+  int row(int i) {
+    return row[i];
+  }
+
+  /** The body of a link that is nearer to the free end: the link before has it, too. */
+  int nearBody(int i) {
+    return shared[i];
+  }
+
+  /** The other one. */
+  int farBody(int i) {
+    return bodyA(row[i]) == shared[i] ? bodyB(row[i]) : bodyA(row[i]);
   }
 
   private int bodyA(int r) {
@@ -392,7 +438,7 @@ final class HingeChains {
       double turn = momentOn(shared[i], i) + (i > from ? momentOn(shared[i], i - 1) : 0);
       most = Math.max(most, Math.abs(turn * bodies.mass[SolverBodies.STRIDE * shared[i] + 1]));
     }
-    int last = bodyA(row[to - 1]) == shared[to - 1] ? bodyB(row[to - 1]) : bodyA(row[to - 1]);
+    int last = farBody(to - 1);
     double turn = momentOn(last, to - 1) * bodies.mass[SolverBodies.STRIDE * last + 1];
     return Math.max(most, Math.abs(turn));
   }

@@ -222,4 +222,23 @@ class HingeChainsTest {
     find(true);
     assertFalse(chains.areThere(), "touching");
   }
+
+  /** A hinge alone, from a body that has two more, is no chain. */
+  @Test
+  void knowsItsRows() {
+    random = new Random(1);
+    place(6, true);
+    bodies.mass[SolverBodies.STRIDE] = 0.03f;
+    bodies.mass[2 * SolverBodies.STRIDE] = 30f;
+    hinge(0, 1);
+    hinge(1, 2);
+    hinge(1, 3);
+    hinge(3, 4);
+    hinge(4, 5);
+    find(false);
+    assertEquals(3, chains.linkCount());
+    for (int r = 0; r < rows.count; r++) {
+      assertEquals(r >= 2, chains.has(r), "row " + r);
+    }
+  }
 }
