@@ -81,8 +81,8 @@ public interface BroadPhase {
 
   /**
    * Sets which collision categories a proxy is of, and which it collides with, as bits; at first
-   * all. {@link #updatePairs} leaves out pairs of which one does not collide with any category of
-   * the other, if the callback says that it does not want them, but need not find all of them.
+   * all. If the callback of {@link #updatePairs} says that it has no use for them, pairs may be
+   * left out of which one does not collide with any category of the other.
    */
   default void setFilter(int proxyId, int categories, int mask) {}
 

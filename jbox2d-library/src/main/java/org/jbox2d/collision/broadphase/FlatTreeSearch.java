@@ -8,10 +8,10 @@ import org.jbox2d.collision.RayCastInput;
 import org.jbox2d.internal.IntArrayList;
 
 /**
- * Searches of the tree. All searches share one stack of nodes still to be looked at; a search that
- * a callback starts works above the entries of the one that called it, so that searches nest to any
- * depth without allocating. Callbacks must not change the tree, and one thread at a time may search
- * it.
+ * Searches of the tree. Those for boxes share one stack of nodes still to be looked at: a search
+ * that a callback starts works above the entries of the one that called it, so that searches nest
+ * to any depth without allocating. Rays have a {@link RayWalk} for each depth. Callbacks must not
+ * change the tree, and one thread at a time may search it.
  */
 abstract class FlatTreeSearch extends FlatTree {
   private int[] stack = new int[64];
@@ -59,9 +59,8 @@ abstract class FlatTreeSearch extends FlatTree {
     float maxX = box[i + 2];
     float maxY = box[i + 3];
     int base = stackTop;
-    // Children are looked at before they are put aside; as most are then not, this takes a
-    // twentieth
-    // less of a crowded step than to put both aside and to look at them in their turn.
+    // Children are looked at before they are put aside: most then are not, and a crowded step takes
+    // a fifteenth less time than if both are put aside and looked at in their turn.
     int node = isMet(m_root, wanted, minX, minY, maxX, maxY) ? m_root : NULL;
     while (node != NULL) {
       int next = NULL;
