@@ -7,8 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.jbox2d.common.Vec2;
-import org.jbox2d.dynamics.joints.Joint;
-import org.jbox2d.dynamics.joints.RevoluteJointDef;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -78,9 +76,9 @@ class FastChainTest {
   void aRopeSwingsOn() {
     chain(10, 0.2f, true, Make.G, Solver.adaptive());
     float fall = 10 * links.get(0).getMass() * Make.G * 2f;
-    float before = energy(Make.G);
+    float before = Chains.energy(world, Make.G);
     shareAfter(Make.G);
-    assertEquals(0f, (energy(Make.G) - before) / fall, 0.02f);
+    assertEquals(0f, (Chains.energy(world, Make.G) - before) / fall, 0.02f);
     assertTrue(largestGap < 0.002f, "gap " + largestGap);
   }
 
@@ -94,9 +92,7 @@ class FastChainTest {
       Body link = Make.body(world, BodyType.DYNAMIC, (i + 0.5f) * length, 0f);
       link.createFixture(Make.boxShape(0.5f * length, 0.125f * length), 1f).setSensor(true);
       if (last != null) {
-        RevoluteJointDef hinge = new RevoluteJointDef();
-        hinge.initialize(last, link, new Vec2(i * length, 0f));
-        world.createJoint(hinge);
+        Chains.hinge(world, last, link, new Vec2(i * length, 0f));
       }
       links.add(link);
       last = link;
@@ -112,35 +108,12 @@ class FastChainTest {
 
   /** Returns the share of the energy that is left at the end; notes the largest gap. */
   private float shareAfter(float gravity) {
-    float before = energy(gravity);
+    float before = Chains.energy(world, gravity);
     largestGap = 0f;
     for (int i = 0; i < STEPS; i++) {
       world.step(Make.STEP, 8, 3);
-      largestGap = Math.max(largestGap, gap());
+      largestGap = Math.max(largestGap, Chains.largestGap(world));
     }
-    return energy(gravity) / before;
-  }
-
-  private float energy(float gravity) {
-    float sum = 0f;
-    for (Body link : links) {
-      float spin = link.getAngularVelocity();
-      sum += 0.5f * link.getMass() * link.getLinearVelocity().lengthSquared();
-      sum += 0.5f * link.getInertia() * spin * spin;
-      sum += link.getMass() * gravity * link.getWorldCenter().y;
-    }
-    return sum;
-  }
-
-  private float gap() {
-    float gap = 0f;
-    Vec2 a = new Vec2();
-    Vec2 b = new Vec2();
-    for (Joint joint = world.getJointList(); joint != null; joint = joint.getNext()) {
-      joint.getAnchorA(a);
-      joint.getAnchorB(b);
-      gap = Math.max(gap, a.sub(b).length());
-    }
-    return gap;
+    return Chains.energy(world, gravity) / before;
   }
 }

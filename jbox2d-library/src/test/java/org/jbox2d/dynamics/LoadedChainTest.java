@@ -3,10 +3,8 @@ package org.jbox2d.dynamics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.joints.Joint;
-import org.jbox2d.dynamics.joints.RevoluteJointDef;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -29,7 +27,7 @@ class LoadedChainTest {
     build(LINKS, 0f, ratio, Solver.softStep(substeps));
     Make.steps(world, 10 * SECOND);
     assertEquals(-LINKS * LENGTH, weight.getPosition().y, 0.001f);
-    assertTrue(largestGap() < 0.001f);
+    assertTrue(Chains.largestGap(world) < 0.001f);
     assertTrue(weight.getLinearVelocity().length() < 0.001f);
   }
 
@@ -41,7 +39,7 @@ class LoadedChainTest {
     float gap = 0f;
     for (int i = 0; i < 20 * SECOND; i++) {
       world.step(Make.STEP, 8, 3);
-      gap = Math.max(gap, largestGap());
+      gap = Math.max(gap, Chains.largestGap(world));
     }
     assertTrue(gap < 0.02f, "gap " + gap);
   }
@@ -61,20 +59,10 @@ class LoadedChainTest {
         b.setAngularVelocity(spin);
         b.setLinearVelocity(new Vec2(0f, spin * b.getWorldCenter().x));
       }
-      float before = energy();
+      float before = Chains.energy(world, 0f);
       Make.steps(world, 10 * SECOND);
-      assertEquals(1f, energy() / before, 0.01f);
+      assertEquals(1f, Chains.energy(world, 0f) / before, 0.01f);
     }
-  }
-
-  private float energy() {
-    float twice = 0f;
-    for (Body b = world.getBodyList(); b != null; b = b.getNext()) {
-      float spin = b.getAngularVelocity();
-      twice += b.getMass() * b.getLinearVelocity().lengthSquared();
-      twice += spin * spin * (b.getInertia() - b.getMass() * b.getLocalCenter().lengthSquared());
-    }
-    return 0.5f * twice;
   }
 
   /** What bears the weight is told by the upper hinge: the weight of all. */
@@ -97,43 +85,6 @@ class LoadedChainTest {
     world = Make.world();
     world.setSolver(solver);
     world.setAllowSleep(false);
-    Vec2 along = new Vec2((float) StrictMath.sin(angle), -(float) StrictMath.cos(angle));
-    Body last = Make.body(world, BodyType.STATIC, 0f, 0f);
-    for (int i = 0; i < links; i++) {
-      Vec2 centre = along.mul((i + 0.5f) * LENGTH);
-      Body link = Make.body(world, BodyType.DYNAMIC, centre.x, centre.y);
-      link.setTransform(centre, angle);
-      link.createFixture(Make.boxShape(0.05f, 0.5f * LENGTH), 1f).setSensor(true);
-      join(last, link, along.mul(i * LENGTH));
-      last = link;
-    }
-    Vec2 end = along.mul(links * LENGTH);
-    weight = Make.body(world, BodyType.DYNAMIC, end.x, end.y);
-    weight.createFixture(Make.boxShape(0.5f, 0.5f), 1f).setSensor(true);
-    MassData data = new MassData();
-    weight.getMassData(data);
-    float mass = ratio * last.getMass();
-    data.I *= mass / data.mass;
-    data.mass = mass;
-    weight.setMassData(data);
-    join(last, weight, end);
-  }
-
-  private void join(Body a, Body b, Vec2 anchor) {
-    RevoluteJointDef def = new RevoluteJointDef();
-    def.initialize(a, b, anchor);
-    world.createJoint(def);
-  }
-
-  private float largestGap() {
-    float gap = 0f;
-    Vec2 a = new Vec2();
-    Vec2 b = new Vec2();
-    for (Joint joint = world.getJointList(); joint != null; joint = joint.getNext()) {
-      joint.getAnchorA(a);
-      joint.getAnchorB(b);
-      gap = Math.max(gap, a.sub(b).length());
-    }
-    return gap;
+    weight = Chains.hangWeight(world, links, LENGTH, angle, ratio);
   }
 }
