@@ -270,11 +270,11 @@ public class ContactManager implements PairCallback, PairSelection {
     return true;
   }
 
-  /** Engine-internal: a contact may have to be filtered, or have come to touch or to part. */
+  /**
+   * Engine-internal: an active contact may have to be filtered, or have come to touch or to part.
+   */
   public void lookAt(Contact c) {
-    if (c.m_activeIndex >= 0) {
-      apart[c.m_activeIndex] = false;
-    }
+    apart[c.m_activeIndex] = false;
   }
 
   private void dropStrays() {

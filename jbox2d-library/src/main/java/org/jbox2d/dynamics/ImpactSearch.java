@@ -129,8 +129,7 @@ final class ImpactSearch implements TreeCallback {
           FixtureProxy q = found[k];
           // The box of what moves is that of the end of its way, so only a still one can be
           // excluded by it.
-          if (q.fixture.m_body.m_type != BodyType.STATIC
-              || AABB.testOverlap(way, q.fixture.getAABB(q.childIndex))) {
+          if (q.fixture.m_body.m_type != BodyType.STATIC || AABB.testOverlap(way, q.aabb)) {
             test(b, p, q.fixture.m_body, q);
           }
         }
@@ -150,8 +149,13 @@ final class ImpactSearch implements TreeCallback {
     }
     int kept = 0;
     for (int i = 0; i < foundCount; i++) {
-      if (mayHit(b, found[i].fixture.m_body)) {
-        found[kept++] = found[i];
+      FixtureProxy q = found[i];
+      if (mayHit(b, q.fixture.m_body)) {
+        if (q.fixture.m_body.m_type == BodyType.STATIC) {
+          // Once for all fixtures of the body.
+          q.fixture.getAABB(q.childIndex);
+        }
+        found[kept++] = q;
       }
     }
     Arrays.fill(found, kept, foundCount, null);

@@ -147,6 +147,9 @@ class PairFilterTest {
     contact.flagForFiltering();
     world.step(1 / 60f, 8, 3);
     assertNull(world.getContactList());
+    contact.flagForFiltering();
+    world.step(1 / 60f, 8, 3);
+    WorldInvariants.check(world);
   }
 
   private static Fixture disc(World world, BodyType type, float x) {

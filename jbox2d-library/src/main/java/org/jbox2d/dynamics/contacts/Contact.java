@@ -288,11 +288,14 @@ public abstract class Contact {
   /** Marks the contact for filtering before the next step. */
   public void flagForFiltering() {
     m_flags |= FILTER_FLAG;
-    haveLookedAt();
+    lookAgain();
   }
 
-  private void haveLookedAt() {
-    m_bodyA.m_world.getContactManager().lookAt(this);
+  /** Whoever still holds a contact that has been destroyed does no harm. */
+  private void lookAgain() {
+    if (m_activeIndex >= 0) {
+      m_bodyA.m_world.getContactManager().lookAt(this);
+    }
   }
 
   /**
@@ -335,7 +338,7 @@ public abstract class Contact {
       m_bodyA.setAwake(true);
       m_bodyB.setAwake(true);
     }
-    haveLookedAt();
+    lookAgain();
     if (touching) {
       m_flags |= TOUCHING_FLAG;
     } else {

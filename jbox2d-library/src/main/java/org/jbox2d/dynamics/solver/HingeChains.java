@@ -54,6 +54,7 @@ final class HingeChains {
    */
   private static final float MOST_TURN = 0.1f;
 
+  /** See {@link #MOST_TURN}. */
   private static final float MOST_TWIST = 0.03f;
 
   /**
@@ -388,10 +389,8 @@ final class HingeChains {
   private boolean isFollowed(int a, int b, float h) {
     float turnA = bodies.vel[a + 2] * h;
     float turnB = bodies.vel[b + 2] * h;
-    float bend =
-        isHeld(a / SolverBodies.STRIDE) || isHeld(b / SolverBodies.STRIDE)
-            ? 0f
-            : Math.abs(turnB - turnA);
+    boolean held = bodies.mass[a] == 0f || bodies.mass[b] == 0f;
+    float bend = held ? 0f : Math.abs(turnB - turnA);
     float mostBend = uneven ? MOST_TWIST : MOST_LIKE_TURN;
     float mostTurn = uneven ? MOST_TURN : MOST_LIKE_TURN;
     return bend <= mostBend && Math.max(Math.abs(turnA), Math.abs(turnB)) <= mostTurn;
