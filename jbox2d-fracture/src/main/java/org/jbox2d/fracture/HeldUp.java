@@ -27,6 +27,13 @@ final class HeldUp {
   private static final class Member {
     private final Body body;
     private float time;
+
+    /** One of those that have struck each other, the same for all of them. */
+    private Member group = this;
+
+    /** Whether one of those is not moved by it. */
+    private boolean open;
+
     private final Vec2 center;
     private final Vec2 velocity;
     private final float angularVelocity;
@@ -36,6 +43,7 @@ final class HeldUp {
 
     Member(Body body) {
       this.body = body;
+      open = body.getType() != BodyType.DYNAMIC;
       time = Float.POSITIVE_INFINITY;
       center = body.getWorldCenter().clone();
       velocity = body.getLinearVelocity().clone();
@@ -65,6 +73,21 @@ final class HeldUp {
         Math.max(world.timeSince(blow.bodyA, blow.alpha), world.timeSince(blow.bodyB, blow.alpha));
     a.time = Math.min(a.time, time);
     b.time = Math.min(b.time, time);
+    join(a, b);
+  }
+
+  /** Makes one group of those of two members. */
+  private void join(Member a, Member b) {
+    Member from = b.group;
+    boolean open = a.open || b.open;
+    for (Member member : members) {
+      if (member.group == from) {
+        member.group = a.group;
+      }
+      if (member.group == a.group) {
+        member.open = open;
+      }
+    }
   }
 
   private Member memberOf(Body body) {
@@ -111,7 +134,7 @@ final class HeldUp {
     if (member.pieces == null) {
       close(body, before, member.time);
     }
-    world.letCatchUp(body, member.time, before, w);
+    world.letCatchUp(body, member.open ? null : member.group, member.time, before, w);
   }
 
   /**

@@ -30,14 +30,20 @@ final class CentreGuard {
       return false;
     }
     ray.maxFraction = 1f;
+    boolean asked = false;
     int left = b.obstacles;
     for (ContactEdge edge = b.m_contactList; left > 0 && edge != null; edge = edge.next) {
       if (edge.other.isObstacle()) {
         left--;
       }
-      if (edge.other.m_type == BodyType.STATIC && isSolid(edge.contact)) {
-        clip(b, edge.contact);
+      if (edge.other.m_type != BodyType.STATIC || !isSolid(edge.contact)) {
+        continue;
       }
+      if (!asked && !isSolidAtCentre(b)) {
+        return false;
+      }
+      asked = true;
+      clip(b, edge.contact);
     }
     if (!(ray.maxFraction < 1f)) {
       return false;
@@ -52,14 +58,24 @@ final class CentreGuard {
     return c.isTouching() && c.isEnabled() && !c.m_fixtureA.m_isSensor && !c.m_fixtureB.m_isSensor;
   }
 
+  /**
+   * Whether the centre lies within the body, in whichever fixture: that of a ring or a hook does
+   * not, and may pass through anything.
+   */
+  private static boolean isSolidAtCentre(Body b) {
+    for (Fixture f = b.m_fixtureList; f != null; f = f.m_next) {
+      if (!f.m_isSensor && f.testPoint(b.m_sweep.c)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Shortens the ray to where it meets the other shape of a contact. */
   private void clip(Body b, Contact c) {
     boolean isA = c.m_fixtureA.m_body == b;
-    Fixture mine = isA ? c.m_fixtureA : c.m_fixtureB;
     Fixture still = isA ? c.m_fixtureB : c.m_fixtureA;
-    // The centre of a ring or a hook lies outside it, and may pass through anything.
-    boolean isInside = mine.testPoint(b.m_sweep.c);
-    if (isInside && still.raycast(hit, ray, isA ? c.m_indexB : c.m_indexA)) {
+    if (still.raycast(hit, ray, isA ? c.m_indexB : c.m_indexA)) {
       ray.maxFraction = hit.fraction;
       surface.set(hit.normal);
     }

@@ -15,6 +15,7 @@ import org.jbox2d.dynamics.solver.ContactPositionKernel;
 import org.jbox2d.dynamics.solver.ContactPreparation;
 import org.jbox2d.dynamics.solver.ContactVelocityKernel;
 import org.jbox2d.dynamics.solver.SolverBodies;
+import org.jbox2d.dynamics.solver.SpinBooks;
 import org.jbox2d.dynamics.solver.StepConfig;
 
 /**
@@ -34,10 +35,14 @@ final class ImpactSolver {
    */
   private static final float ACCEPTED_SLOPS = 1.5f;
 
+  /** Slots of the bodies of an impact. */
+  private static final int[] PAIR = {0, 1};
+
   private final ContactManager contacts;
   private final SolverBodies bodies = new SolverBodies();
   private final ContactConstraints constraints = new ContactConstraints();
   private final SolvedContactReport report = new SolvedContactReport(constraints, bodies, true);
+  private final SpinBooks spin = new SpinBooks(bodies);
   private final Body[] slots = new Body[2];
 
   /** As {@link StepConfig#warmStarting} off: impulses start at 0. */
@@ -53,8 +58,26 @@ final class ImpactSolver {
   }
 
   /**
+   * Notes the angular momentum of two bodies at the end of their ways. What the step has pushed
+   * apart is taken back in part where they are placed on their ways, and that changes it.
+   */
+  void begin(Body b, Body o) {
+    bodies.count = 0;
+    placeAtEnd(b);
+    placeAtEnd(o);
+    spin.open(PAIR, 0, PAIR.length);
+  }
+
+  private void placeAtEnd(Body b) {
+    int o = SolverBodies.STRIDE * place(b);
+    bodies.pos[o] = b.m_sweep.c.x;
+    bodies.pos[o + 1] = b.m_sweep.c.y;
+  }
+
+  /**
    * Solves the impact of {@code b} and {@code o}, which are placed where they meet and start the
-   * rest of their way there. Afterwards their velocities are new, and they have been pushed apart.
+   * rest of their way there; {@link #begin} comes before that. Afterwards their velocities are new,
+   * and they have been pushed apart.
    *
    * @param alpha when in the step, as a fraction of it
    */
@@ -62,6 +85,9 @@ final class ImpactSolver {
     ContactListener listener = contacts.m_contactListener;
     gather(b, o, impact, listener);
     pushApart(impact, step);
+    if (moving == 2 && spin.areAlone(PAIR, 0, 2, constraints, 0, count)) {
+      spin.closeMoved(PAIR, 0, 2, SpinBooks.SMALL);
+    }
     ContactPreparation.prepare(constraints, bodies, 0, count, step.velocityThreshold);
     BounceTiming.correct(constraints, solved, 0, count, alpha, step);
     report.at(alpha);

@@ -38,12 +38,16 @@ final class IslandSolver {
    */
   private boolean sameCentres;
 
+  /** Moves on what lags behind, when it has been solved. */
+  final LateIslands late;
+
   private final IslandSleep sleep = new IslandSleep();
   private boolean[] settled = new boolean[64];
 
   IslandSolver(World world) {
     this.world = world;
     effort = new IslandEffort(world.awake, islands, new Effort(bodies, constraints, joints.rows));
+    late = new LateIslands(world.awake, islands, bodies, constraints);
     report = new SolvedContactReport(constraints, bodies, false);
   }
 

@@ -32,7 +32,11 @@ final class Laggards {
 
   /** How far a body lags behind. */
   static final class Lag {
-    private final Body body;
+    final Body body;
+
+    /** What those share that have struck each other; {@code null}: something else had a part. */
+    final Object group;
+
     private final float time;
     private final float u;
     private final float v;
@@ -45,18 +49,27 @@ final class Laggards {
     private float turn;
     private boolean held;
 
-    private Lag(Body body, float time, Vec2 velocity, float angularVelocity) {
+    private Lag(Body body, Object group, float time, Vec2 velocity, float angularVelocity) {
       this.body = body;
+      this.group = group;
       this.time = time;
       u = velocity.x;
       v = velocity.y;
       spin = angularVelocity;
     }
+
+    /** Moves the body on. */
+    void move() {
+      body.m_sweep.c.addLocal(x, y);
+      body.m_sweep.a += turn;
+      body.synchronizeTransform();
+    }
   }
 
   /** Lets a body make up for the given time in the next step; an earlier call is forgotten. */
-  void add(Body body, float time, float dt, Vec2 velocity, float angularVelocity) {
-    Lag lag = new Lag(body, Math.min(time, MOST_STEPS * dt), velocity, angularVelocity);
+  void add(Body body, Object group, float time, float dt, Vec2 velocity, float angularVelocity) {
+    float most = MOST_STEPS * dt;
+    Lag lag = new Lag(body, group, Math.min(time, most), velocity, angularVelocity);
     for (int i = 0; i < waiting.size(); i++) {
       if (waiting.get(i).body == body) {
         waiting.set(i, lag);
@@ -73,7 +86,7 @@ final class Laggards {
   }
 
   /** Moves the bodies on; velocities have been solved, and positions too. */
-  void catchUp() {
+  void catchUp(LateIslands islands) {
     if (lags.isEmpty() && waiting.isEmpty()) {
       return;
     }
@@ -94,13 +107,13 @@ final class Laggards {
         }
       }
     }
+    List<Lag> due = new ArrayList<>();
     for (Lag lag : lags) {
       if (!lag.held) {
-        lag.body.m_sweep.c.addLocal(lag.x, lag.y);
-        lag.body.m_sweep.a += lag.turn;
-        lag.body.synchronizeTransform();
+        due.add(lag);
       }
     }
+    islands.moveOn(due);
   }
 
   private void begin() {

@@ -106,7 +106,7 @@ final class StepPhases {
   private void solve() {
     profile.solve.start();
     islandSolver.solve(config, solver, profile);
-    laggards.catchUp();
+    laggards.catchUp(islandSolver.late);
     profile.solve.stop();
   }
 

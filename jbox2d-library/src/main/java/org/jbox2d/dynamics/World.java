@@ -282,19 +282,23 @@ public class World {
    * this time times the difference of its velocity, as then solved, and the one taken back; unless
    * it would be pushed into something that it touches. It does not pass through still bodies.
    *
+   * @param group any object, the same for all bodies that struck each other and their pieces: the
+   *     whole of them keeps its angular momentum; {@code null} if something that does not catch up
+   *     had a part in it, as a floor
    * @param time see {@link #timeSince}; no more than four steps are made up for
    * @param velocity the velocity taken back, of the centre of mass, m/s; copied
    * @param angularVelocity the angular velocity taken back, rad/s
    * @throws IllegalStateException if the world is locked
    * @throws IllegalArgumentException if the body is not of this world, or a value is not allowed
    */
-  public void letCatchUp(Body body, float time, Vec2 velocity, float angularVelocity) {
+  public void letCatchUp(
+      Body body, Object group, float time, Vec2 velocity, float angularVelocity) {
     checkUnlocked("letCatchUp");
     checkBody(body, "body");
     Checks.notNegative(time, "time");
     Checks.finite(velocity, "velocity");
     Checks.finite(angularVelocity, "angularVelocity");
-    phases.laggards.add(body, time, phases.config.dt, velocity, angularVelocity);
+    phases.laggards.add(body, group, time, phases.config.dt, velocity, angularVelocity);
   }
 
   /** Lets the next step look for pairs among the bounds that have changed. */

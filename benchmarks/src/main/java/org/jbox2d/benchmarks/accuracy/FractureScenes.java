@@ -194,7 +194,7 @@ final class FractureScenes {
           World world = worldOf(sim);
           Material glass = new Glass();
           glass.m_rigidity = 5f;
-          body(world, BodyType.STATIC, wall + 0.25, 0, box(0.25, 40), 0f, null);
+          body(world, BodyType.STATIC, wall + 0.25, 0, box(0.25, 400), 0f, null);
           body(world, BodyType.STATIC, 0, -4, box(40, 0.5), 0f, null);
           Body pane = body(world, BodyType.DYNAMIC, 0, 0, box(0.2, 3.4), 1f, glass);
           shoot(world, -4, 0, 150);

@@ -171,4 +171,16 @@ public final class ContactConstraints {
     block = Arrays.copyOf(block, K_STRIDE * capacity);
     sub = Arrays.copyOf(sub, S_STRIDE * capacity);
   }
+
+  /** Whether contacts {@code [from, to)} are all between bodies that can be moved. */
+  public boolean areLoose(int from, int to) {
+    // The last ones are mostly those with what does not move.
+    for (int i = to - 1; i >= from; i--) {
+      int c = V_STRIDE * i;
+      if (vel[c + INV_MASS_A] == 0f || vel[c + INV_MASS_B] == 0f) {
+        return false;
+      }
+    }
+    return true;
+  }
 }

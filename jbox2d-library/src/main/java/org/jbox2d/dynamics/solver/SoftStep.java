@@ -77,6 +77,7 @@ public final class SoftStep {
   private final SoftJoints joints;
   private final SoftContactKernel contactKernel = new SoftContactKernel();
   private final SoftGain gain;
+  private final SpinBooks spin;
   private final StepConfig sub = new StepConfig();
 
   private boolean jointsSettled;
@@ -107,6 +108,7 @@ public final class SoftStep {
     this.contacts = contacts;
     this.joints = new SoftJoints(bodies, joints);
     gain = new SoftGain(bodies, contacts, contactKernel);
+    spin = new SpinBooks(bodies);
   }
 
   /**
@@ -161,8 +163,16 @@ public final class SoftStep {
     if (j0 == j1) {
       gain.open(slots, b0, b1, step, substeps);
     }
-    prepareContacts(c0, c1, step, substeps);
+    boolean alone =
+        j0 == j1
+            && spin.areAlone(slots, b0, b1, contacts, c0, c1)
+            && spin.areDrivenAlike(slots, b0, b1);
+    if (alone) {
+      spin.open(slots, b0, b1);
+    }
+    boolean bounces = prepareContacts(c0, c1, step, substeps);
     joints.begin(j0, j1, slots, b0, b1, c0 < c1, sub);
+    int cappedFirst = capped;
     int cappedBefore = capped;
     for (int n = 0; n < substeps; n++) {
       if (j0 < j1) {
@@ -191,6 +201,9 @@ public final class SoftStep {
       sub.next();
     }
     end(slots, b0, b1, c0, c1, j0, j1, substeps);
+    if (alone) {
+      spin.close(slots, b0, b1, bounces, capped > cappedFirst ? SpinBooks.SMALL : SpinBooks.LARGE);
+    }
     return jointsSettled && contactKernel.settled();
   }
 
@@ -206,11 +219,13 @@ public final class SoftStep {
 
   // --- Contacts ---
 
-  private void prepareContacts(int c0, int c1, StepConfig step, int substeps) {
+  /** Returns whether one of the contacts bounces. */
+  private boolean prepareContacts(int c0, int c1, StepConfig step, int substeps) {
     sub.divide(step, substeps);
     float frequency = CONTACT_SHARE * sub.invDt;
     contactKernel.set(sub.dt, frequency, CONTACT_DAMPING, MOST_RATE, MOST_PUSH, sub.linearSlop);
-    if (ContactPreparation.prepareSubsteps(contacts, bodies, c0, c1)) {
+    boolean bounces = ContactPreparation.prepareSubsteps(contacts, bodies, c0, c1);
+    if (bounces) {
       BounceKernel.solve(contacts, bodies, c0, c1, sub.velocityThreshold, step.dt);
     }
     float[] d = contacts.vel;
@@ -219,6 +234,7 @@ public final class SoftStep {
       scaleImpulses(d, V_STRIDE * i + POINT, share);
       scaleImpulses(d, V_STRIDE * i + POINT + POINT_STRIDE, share);
     }
+    return bounces;
   }
 
   private static void scaleImpulses(float[] d, int o, float factor) {
