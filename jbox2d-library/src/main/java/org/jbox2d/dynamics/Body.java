@@ -111,10 +111,11 @@ public class Body {
   /** Whatever the user keeps here. */
   public Object m_userData;
 
-  /** Substeps that the adaptive solver gave its island, and for how many steps it needed less. */
+  /** Substeps that its island got, for how many steps it needed less, whether a blow asked. */
   int effort;
 
   int effortAge;
+  boolean effortOfSpeed;
 
   /** Place among the bodies that a step looks at, or -1. */
   int awakeIndex = -1;

@@ -25,6 +25,12 @@ final class IslandEffort {
    */
   private static final int PILE_HELD = 30;
 
+  /**
+   * The same for what speed asked for: turned by a blow, limbs are slow again when it is over.
+   * Dolls that fall down steps took half as many substeps again for half a second.
+   */
+  private static final int BLOW_HELD = 4;
+
   /** Share to which substeps then fall, if not by one. */
   private static final float FALL = 0.7f;
 
@@ -55,6 +61,14 @@ final class IslandEffort {
   private final Islands islands;
   private final Effort effort;
 
+  /**
+   * Substeps of the island, for how many steps it has needed less, whether a blow asked for them.
+   */
+  private int held;
+
+  private int age;
+  private boolean fast;
+
   IslandEffort(AwakeSet awake, Islands islands, Effort effort) {
     this.awake = awake;
     this.islands = islands;
@@ -63,50 +77,73 @@ final class IslandEffort {
 
   /** Returns and notes the substeps of an island in this step. */
   int substeps(int island, StepConfig step, Solver solver) {
-    int held = 0;
-    int age = Integer.MAX_VALUE;
-    for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
-      Body b = awake.bodies[islands.bodies[i]];
-      held = Math.max(held, b.effort);
-      age = Math.min(age, b.effortAge);
-    }
+    recall(island);
     int least = solver.getLeastSubsteps();
     int most = most(island, solver);
     float needed = needed(island, step, Math.max(held, least), most);
     float now = Math.min(most, Math.max(least, needed));
+    boolean touches = islands.hasContacts(island);
+    boolean rises = now > held || held > most;
+    boolean lasts = now >= FALL * held;
+    if (rises || lasts) {
+      // What swings freely is fast for long; it is a blow that makes it fast for a while.
+      fast = needed > least && effort.fast >= needed && (touches || fast);
+    }
     int lasting = islands.hasJoints(island) ? SWING_HELD : PILE_HELD;
-    int young = islands.hasContacts(island) ? lasting - PILE_HELD : 0;
-    if (now > held || held > most) {
+    int pause = fast ? BLOW_HELD : PILE_HELD;
+    int young = touches || fast ? lasting - pause : 0;
+    if (rises) {
       held = (int) Math.ceil(now);
       age = young;
-    } else if (now >= FALL * held) {
+    } else if (lasts) {
       age = young;
     } else if (++age > lasting) {
       held = (int) Math.ceil(Math.max(now, Math.min(FALL * held, held - 1f)));
-      age = lasting - PILE_HELD;
+      age = lasting - pause;
     }
-    note(island, held, age);
+    note(island, held, age, fast);
     return held;
+  }
+
+  /**
+   * Reads what the bodies of an island have kept: most substeps, and of those whether for speed.
+   */
+  private void recall(int island) {
+    held = 0;
+    age = Integer.MAX_VALUE;
+    fast = true;
+    for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
+      Body b = awake.bodies[islands.bodies[i]];
+      if (b.effort >= held) {
+        fast = b.effortOfSpeed && (fast || b.effort > held);
+        held = b.effort;
+      }
+      age = Math.min(age, b.effortAge);
+    }
   }
 
   /**
    * Returns what an island needs now. What contacts ask for goes by the impulses of the last step,
    * in which a load is as it will be in the next, while a blow is over. So it rises by steps: a
-   * load lasts.
+   * load lasts. A column buckles slowly, so for that one more a step will do; pieces that fall on
+   * each other look like one for a step or two.
    */
   private float needed(int island, StepConfig step, int held, int most) {
     int c0 = islands.contactStart[island];
     int c1 = islands.contactStart[island + 1];
     int b0 = islands.bodyStart[island];
     int b1 = islands.bodyStart[island + 1];
-    float needed = Math.min(effort.ofContacts(c0, c1, b1 - b0, step), CONTACT_RISE * held);
+    float loaded = effort.ofContacts(c0, c1, b1 - b0, step);
+    effort.fast = Math.min(effort.fast, CONTACT_RISE * held);
+    float needed = Math.min(loaded, CONTACT_RISE * held);
+    needed = Math.max(needed, Math.min(effort.tall, held + 1));
     if (islands.hasJoints(island)) {
       int j0 = islands.jointStart[island];
       int j1 = islands.jointStart[island + 1];
       float ofJoints = effort.ofJoints(j0, j1, islands.bodies, b0, b1, c0 < c1, most, step);
       needed = Math.max(needed, ofJoints);
     }
-    return needed;
+    return Math.max(needed, effort.fast);
   }
 
   /** Notes that the joints of an island ended a step of so many substeps out of tolerance. */
@@ -114,7 +151,7 @@ final class IslandEffort {
     int links = islands.jointStart[island + 1] - islands.jointStart[island];
     int bound = RESIDUAL_SUBSTEPS + (isRow(island) ? links / LINKS_A_SUBSTEP : 0);
     if (substeps < bound) {
-      note(island, Math.min(substeps + 1, most(island, solver)), 0);
+      note(island, Math.min(substeps + 1, most(island, solver)), 0, false);
     }
   }
 
@@ -145,12 +182,16 @@ final class IslandEffort {
     return !islands.hasContacts(island) && joints <= bodies + 1;
   }
 
-  /** Notes how many substeps an island has, and for how long it has needed less. */
-  private void note(int island, int substeps, int age) {
+  /**
+   * Notes how many substeps an island has, for how long it has needed less, and whether it was for
+   * its speed that it has got them.
+   */
+  private void note(int island, int substeps, int age, boolean fast) {
     for (int i = islands.bodyStart[island]; i < islands.bodyStart[island + 1]; i++) {
       Body b = awake.bodies[islands.bodies[i]];
       b.effort = substeps;
       b.effortAge = age;
+      b.effortOfSpeed = fast;
     }
   }
 }

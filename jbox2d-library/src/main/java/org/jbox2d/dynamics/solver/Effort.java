@@ -102,6 +102,15 @@ public final class Effort {
   private final HingeChains chains;
   private final ChainSway sway;
 
+  /** Substeps that a column asks for, as {@link #ofContacts} has found. */
+  public float tall;
+
+  /**
+   * Substeps that speed asks for, rather than loads, as {@link #ofContacts} and {@link #ofJoints}
+   * have found.
+   */
+  public float fast;
+
   public Effort(SolverBodies bodies, ContactConstraints contacts, JointRows joints) {
     this.bodies = bodies;
     this.contacts = contacts;
@@ -111,8 +120,8 @@ public final class Effort {
   }
 
   /**
-   * Returns the substeps that contacts {@code [c0, c1)} between a number of bodies ask for; may be
-   * 0, or huge.
+   * Returns the substeps that contacts {@code [c0, c1)} between a number of bodies ask for, but for
+   * those in {@link #tall} and {@link #fast}; each may be 0, or huge.
    */
   public float ofContacts(int c0, int c1, int bodyCount, StepConfig step) {
     float[] d = contacts.vel;
@@ -134,11 +143,11 @@ public final class Effort {
       worst = Math.max(worst, impulse * (d[o + INV_MASS_A] + d[o + INV_MASS_B]));
     }
     float loaded = CONTACT_TIME * worst / (CONTACT_SLOPS * step.linearSlop);
-    float turned = spin * step.dt / MOST_TURN;
+    fast = spin * step.dt / MOST_TURN;
     float cold = 2 * idle > c1 - c0 ? Math.min(COLD_SUBSTEPS, c1 - c0) : 0f;
     boolean column = c1 - c0 < COLUMN_CONTACTS * bodyCount;
-    float tall = column ? ofColumn(c0, c1, bodyCount, step) : 0f;
-    return Math.max(Math.max(cold, tall), Math.max(loaded, turned));
+    tall = column ? ofColumn(c0, c1, bodyCount, step) : 0f;
+    return Math.max(cold, loaded);
   }
 
   /** No more bodies can stand on a contact than there are, nor than make up its load. */
@@ -176,7 +185,7 @@ public final class Effort {
 
   /**
    * Returns the substeps that joints {@code [j0, j1)} between bodies {@code slots[b0, b1)} ask for;
-   * may be huge.
+   * may be huge. What their speed asks for raises {@link #fast}.
    *
    * @param touching whether there are contacts
    * @param most substeps that the island may have; where the number of joints alone asks for them,
@@ -213,7 +222,8 @@ public final class Effort {
     }
     float bent = bend * step.dt * step.dt / (2f * BEND_SLOPS * step.linearSlop);
     float twisted = twist * step.dt * (j1 - j0) / (WELD_FACTOR * WELD_ANGLE);
-    return Math.max(JOINT_SUBSTEPS, (float) Math.sqrt(Math.max(twisted, Math.max(loaded, bent))));
+    fast = Math.max(fast, (float) Math.sqrt(bent));
+    return Math.max(JOINT_SUBSTEPS, (float) Math.sqrt(Math.max(twisted, loaded)));
   }
 
   /**
