@@ -359,7 +359,9 @@ final class ContinuousCollision implements TreeCallback {
       return;
     }
     b.impacts++;
-    solver.begin(b, o);
+    if (otherMoves) {
+      solver.begin(b, o);
+    }
     startAt(b, b.m_sweep, t, alpha);
     if (otherMoves) {
       o.impacts++;

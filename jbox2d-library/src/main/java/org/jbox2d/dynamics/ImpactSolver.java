@@ -58,8 +58,9 @@ final class ImpactSolver {
   }
 
   /**
-   * Notes the angular momentum of two bodies at the end of their ways. What the step has pushed
-   * apart is taken back in part where they are placed on their ways, and that changes it.
+   * Notes the angular momentum of two bodies that both move, at the end of their ways. What the
+   * step has pushed apart is taken back in part where they are placed on their ways, and that
+   * changes it.
    */
   void begin(Body b, Body o) {
     bodies.count = 0;
@@ -76,8 +77,8 @@ final class ImpactSolver {
 
   /**
    * Solves the impact of {@code b} and {@code o}, which are placed where they meet and start the
-   * rest of their way there; {@link #begin} comes before that. Afterwards their velocities are new,
-   * and they have been pushed apart.
+   * rest of their way there; if both move, {@link #begin} comes before that. Afterwards their
+   * velocities are new, and they have been pushed apart.
    *
    * @param alpha when in the step, as a fraction of it
    */

@@ -73,7 +73,7 @@ class SuiteTest {
       // A whole number of steps at each rate.
       assertEquals(scene.seconds() * 30, Math.rint(scene.seconds() * 30), 1e-9, scene.name());
     }
-    assertTrue(scenes.size() >= 97);
+    assertTrue(scenes.size() >= 98);
     assertThrows(IllegalArgumentException.class, () -> Suite.named("no such scene"));
   }
 
