@@ -2,11 +2,9 @@ package org.jbox2d.dynamics;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
-import org.jbox2d.common.MathUtils;
 import org.jbox2d.common.Vec2;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -68,7 +66,10 @@ class AngularMomentumTest {
   private static boolean keepsIt(Solver solver, Vec2 gravity, int n, int seed, float restitution) {
     World world = new World(gravity);
     world.setSolver(solver);
-    List<Body> bodies = throwTogether(world, n, new Random(seed), restitution);
+    List<Body> bodies = Make.thrownTogether(world, n, 10f, new Random(seed));
+    for (Body body : bodies) {
+      Make.surface(body, 0.5f, restitution);
+    }
     Totals before = new Totals(bodies);
     double least = before.energy;
     for (int i = 0; i < STEPS; i++) {
@@ -82,26 +83,6 @@ class AngularMomentumTest {
     double gain = (after.energy - before.energy) / before.energy;
     assertTrue(gain < ROUNDING, what + "energy gained " + gain);
     return least < 0.99 * before.energy;
-  }
-
-  /** Boxes on a circle that fly at its centre at about 10 m/s, and turn. */
-  private static List<Body> throwTogether(World world, int n, Random random, float restitution) {
-    List<Body> bodies = new ArrayList<>();
-    for (int i = 0; i < n; i++) {
-      float angle = 2f * MathUtils.PI * (i + 0.3f * random.nextFloat()) / n;
-      float hx = 0.2f + 0.6f * random.nextFloat();
-      float hy = 0.2f + 0.6f * random.nextFloat();
-      float x = 2.5f * MathUtils.cos(angle);
-      float y = 2.5f * MathUtils.sin(angle);
-      Body body = Make.dynamic(world, Make.boxShape(hx, hy), x, y, 0f);
-      Make.surface(body, 0.5f, restitution);
-      float aim = angle + MathUtils.PI + 0.3f * (float) random.nextGaussian();
-      float speed = 10f * (0.5f + random.nextFloat());
-      body.setLinearVelocity(new Vec2(speed * MathUtils.cos(aim), speed * MathUtils.sin(aim)));
-      body.setAngularVelocity(2f * (float) random.nextGaussian());
-      bodies.add(body);
-    }
-    return bodies;
   }
 
   /** Of bodies, about their centre of mass and against its velocity. */

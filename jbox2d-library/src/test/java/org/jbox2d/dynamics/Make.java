@@ -1,5 +1,7 @@
 package org.jbox2d.dynamics;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.collision.shapes.EdgeShape;
@@ -99,6 +101,24 @@ final class Make {
       f.setFriction(friction);
       f.setRestitution(restitution);
     }
+  }
+
+  /** Boxes on a circle that fly at its centre at about the given speed, and turn. */
+  static List<Body> thrownTogether(World world, int count, float speed, Random random) {
+    List<Body> bodies = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      float angle = 2f * MathUtils.PI * (i + 0.3f * random.nextFloat()) / count;
+      Shape shape = boxShape(0.2f + 0.6f * random.nextFloat(), 0.2f + 0.6f * random.nextFloat());
+      float x = 2.5f * MathUtils.cos(angle);
+      float y = 2.5f * MathUtils.sin(angle);
+      Body body = dynamic(world, shape, x, y, 0f);
+      float aim = angle + MathUtils.PI + 0.3f * (float) random.nextGaussian();
+      float own = speed * (0.5f + random.nextFloat());
+      body.setLinearVelocity(new Vec2(own * MathUtils.cos(aim), own * MathUtils.sin(aim)));
+      body.setAngularVelocity(2f * (float) random.nextGaussian());
+      bodies.add(body);
+    }
+    return bodies;
   }
 
   /**

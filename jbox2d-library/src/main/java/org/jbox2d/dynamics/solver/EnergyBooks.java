@@ -61,6 +61,12 @@ final class EnergyBooks {
     return much && more > 0 ? Math.max(0, more - work(slots, b0, b1)) : 0;
   }
 
+  /** Returns the same as a share of the energy that was noted. */
+  double gain(int[] slots, int b0, int b1, double speed) {
+    double excess = excess(slots, b0, b1, speed);
+    return excess > 0 ? excess / bound : 0;
+  }
+
   private double work(int[] slots, int b0, int b1) {
     float[] a = bodies.accel;
     float[] x = bodies.delta;
